@@ -1,0 +1,131 @@
+// Blends B(x, y) = max(x, y) + h(|x - y|) of distances: h = 0 gives the sharp set operations, a tabulated h Li's
+// exterior blend (Li, equations 20 to 23). Union, intersection and subtraction in the distance convention:
+// union -B(-x, -y), intersection B(x, y), subtraction B(x, -y).
+#pragma once
+
+#include <nearfield/shape/certificate.hpp>
+#include <nearfield/shape/sample.hpp>
+#include <nearfield/table/table.hpp>
+
+namespace nearfield {
+
+enum class SetOperation : uint8_t { unite, intersect, subtract };
+
+namespace detail {
+
+template <class Out> constexpr Out negated(const Out& a) {
+  Out out;
+  out.value = -a.value;
+  if constexpr (Out::has_gradient) out.gradient = -a.gradient;
+  return out;
+}
+
+// Operands of B and its result, brought from and to the distance convention.
+template <SetOperation operation, class Out, class Maximum>
+constexpr Out as_maximum(const Out& a, const Out& b, const Maximum& maximum) {
+  if constexpr (operation == SetOperation::unite) return negated(maximum(negated(a), negated(b)));
+  else if constexpr (operation == SetOperation::intersect) return maximum(a, b);
+  else return maximum(a, negated(b));
+}
+
+template <class S> constexpr Certificate<S> worst_of(const Certificate<S>& a, const Certificate<S>& b) {
+  Certificate<S> both;
+  both.valid = a.valid && b.valid;
+  both.lipschitz = greatest_of_two(a.lipschitz, b.lipschitz);
+  both.erosion = greatest_of_two(a.erosion, b.erosion);
+  both.inflation = greatest_of_two(a.inflation, b.inflation);
+  both.error = greatest_of_two(a.error, b.error);
+  return both;
+}
+
+}  // namespace detail
+
+// Sharp set operation: the nearer (union) or farther operand as it is. Exact: no rounding of its own.
+// On ties the first operand's gradient.
+template <class S, SetOperation operation> struct Sharp {
+  using Scalar = S;
+  static constexpr Kind kind = Kind::distance;
+
+  template <class Out> constexpr Out combine(const Out& a, const Out& b) const {
+    return detail::as_maximum<operation>(a, b, [](const Out& x, const Out& y) { return x.value < y.value ? y : x; });
+  }
+  constexpr Certificate<S> certificate(const Certificate<S>& a, const Certificate<S>& b) const {
+    Certificate<S> both = detail::worst_of(a, b);
+    // What is cut away by an eroded tool is too little: the roles of erosion and inflation swap for it.
+    if constexpr (operation == SetOperation::subtract) {
+      both.erosion = greatest_of_two(a.erosion, b.inflation);
+      both.inflation = greatest_of_two(a.inflation, b.erosion);
+    }
+    return both;
+  }
+};
+
+// Li's exterior blend: the sharp operation plus h(|x - y|) where the operands are closer than the range
+// delta + epsilon; exactly the sharp operation elsewhere. h = range * table(|x - y| / range).
+template <class S, SetOperation operation> struct Exterior {
+  using Scalar = S;
+  static constexpr Kind kind = Kind::distance;
+  ArgumentScale<S> scale;  // its limit is the range, metres
+
+  template <class Out> constexpr Out combine(const Out& a, const Out& b, const TableView<S>& kernel) const {
+    return detail::as_maximum<operation>(a, b, [this, &kernel](const Out& x, const Out& y) {
+      return maximum(x.value < y.value ? y : x, x.value < y.value ? x : y, kernel);
+    });
+  }
+
+  // With d = |1 + h'| + |h'| <= 1 + 2 b: error d max(e) + range * table error + 2 rounding units.
+  constexpr Certificate<S> certificate(const Certificate<S>& a, const Certificate<S>& b, const TableFacts& facts,
+                                       S reach) const {
+    using T = ScalarTraits<S>;
+    const Sharp<S, operation> sharp;
+    Certificate<S> both = sharp.certificate(a, b);
+    both.valid = both.valid && scale.consistent() && scale.limit <= T::domain() && facts.error < (1 << 24);
+    const Rate spread = spread_of(facts);
+    both.lipschitz = multiply_rates_up(both.lipschitz, spread);
+    const S added = T::multiply_up(scale.limit, rate_up(facts.greatest_value));
+    const S removed = T::multiply_up(scale.limit, rate_up(-facts.least_value));
+    both.error = T::multiply_up(both.error, spread) + T::multiply_up(scale.limit, rate_up(facts.error)) +
+                 T::times(T::rounding_unit(reach), 2);
+    if constexpr (operation == SetOperation::unite) {
+      both.inflation = both.inflation + added;
+      both.erosion = both.erosion + removed;
+    } else {
+      both.erosion = both.erosion + added;
+      both.inflation = both.inflation + removed;
+    }
+    return both;
+  }
+
+ private:
+  template <class Out> constexpr Out maximum(const Out& high, const Out& low, const TableView<S>& kernel) const {
+    const auto gap = difference_magnitude(high.value, low.value);
+    if (!scale.contains(gap)) return high;
+    const TableSample<S> h = sample_table<Out::has_gradient>(kernel, scale.argument(gap));
+    Out out;
+    out.value = high.value + narrow_in_range<S>(product(scale.limit, h.value));
+    if constexpr (Out::has_gradient) {
+      out.gradient = {mixed(high.gradient.x, low.gradient.x, h.slope), mixed(high.gradient.y, low.gradient.y, h.slope),
+                      mixed(high.gradient.z, low.gradient.z, h.slope)};
+    }
+    return out;
+  }
+  // (1 + slope) high - slope low.
+  static constexpr S mixed(S high, S low, S slope) { return high + narrow<S>(product(slope, high - low)); }
+
+  // high - low >= 0, exact even where S has no room for it.
+  template <int F, class R> static constexpr uint32_t difference_magnitude(Fixed<F, R> high, Fixed<F, R> low) {
+    return static_cast<uint32_t>(high.raw()) - static_cast<uint32_t>(low.raw());
+  }
+  static constexpr float difference_magnitude(float high, float low) { return high - low; }
+
+  // A non-negative Q30 bound as a rate.
+  static constexpr Rate rate_up(int32_t q30) { return Rate::from_raw(q30 <= 0 ? 0 : (q30 >> 6) + 1); }
+  static constexpr Rate spread_of(const TableFacts& facts) {
+    const int32_t above = facts.greatest_slope > 0 ? facts.greatest_slope : 0;
+    const int32_t below = -kUnitRate.raw() - facts.least_slope > 0 ? -kUnitRate.raw() - facts.least_slope : 0;
+    return kUnitRate + Rate::from_raw(above > below ? above : below) + Rate::from_raw(above > below ? above : below);
+  }
+  static constexpr Rate multiply_rates_up(Rate a, Rate b) { return ScalarTraits<Rate>::multiply_up(a, b); }
+};
+
+}  // namespace nearfield

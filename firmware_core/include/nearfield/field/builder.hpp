@@ -1,0 +1,106 @@
+// Writes program images, on the host or in a constant expression.
+#pragma once
+
+#include <nearfield/field/image.hpp>
+
+namespace nearfield {
+
+// Collects tables first, then operations in postfix order, then finish(). Capacity in 32-bit words.
+// Nothing is reported before finish(), whose status is that of the image as a loader will see it; a full builder
+// gives wrong_size.
+template <class S, uint32_t Capacity> class ImageBuilder {
+ public:
+  // Returns the table's reference for shape() and blend(). Precondition: no operation was added yet.
+  template <int Log2Segments> constexpr uint32_t table(const Table<S, Log2Segments>& table) {
+    const uint32_t reference = size_;
+    append(static_cast<uint32_t>(Log2Segments));
+    append(static_cast<uint32_t>(table.slope_headroom));
+    append(static_cast<uint32_t>(table.facts.error));
+    append(static_cast<uint32_t>(table.facts.least_value));
+    append(static_cast<uint32_t>(table.facts.greatest_value));
+    append(static_cast<uint32_t>(table.facts.least_slope));
+    append(static_cast<uint32_t>(table.facts.greatest_slope));
+    for (const uint32_t coefficient : table.coefficients) append(coefficient);
+    words_[image_format::table_words] = size_ - image_format::header_words;
+    return reference;
+  }
+
+  // A shape or blend; those with a table take its reference.
+  template <class T> constexpr ImageBuilder& operation(const T& payload) {
+    static_assert(!OperationOf<T>::uses_table, "this operation needs a table's reference");
+    append(static_cast<uint32_t>(OperationOf<T>::value) | payload_words<T> << 8);
+    append_payload(payload);
+    return *this;
+  }
+  template <class T> constexpr ImageBuilder& operation(const T& payload, uint32_t table_reference) {
+    static_assert(OperationOf<T>::uses_table, "this operation has no table");
+    append(static_cast<uint32_t>(OperationOf<T>::value) | (payload_words<T> + 1) << 8);
+    append_payload(payload);
+    append(table_reference);
+    return *this;
+  }
+  constexpr ImageBuilder& enter(const Pose<S>& pose) {
+    append(static_cast<uint32_t>(Operation::enter_pose) | payload_words<Pose<S>> << 8);
+    append_payload(pose);
+    return *this;
+  }
+  constexpr ImageBuilder& enter_slot(uint32_t slot) {
+    append(static_cast<uint32_t>(Operation::enter_slot) | 1u << 8);
+    append(slot);
+    return *this;
+  }
+  constexpr ImageBuilder& leave() {
+    append(static_cast<uint32_t>(Operation::leave));
+    return *this;
+  }
+
+  // Writes header and checksum. With any status but ok the image will not load, and says the same.
+  constexpr Inspection<S> finish() {
+    using namespace image_format;
+    Inspection<S> found;
+    if (overflowed_) {
+      found.status = LoadStatus::wrong_size;
+      return found;
+    }
+    const uint32_t program_first = header_words + words_[table_words];
+    found = detail::Inspector<S>(words_, program_first, size_, header_words).run();
+    words_[magic_word] = magic;
+    words_[version_word] = version;
+    words_[size_word] = size_;
+    words_[scalar_word] = ScalarTraits<S>::tag;
+    words_[kind_word] = static_cast<uint32_t>(found.kind);
+    words_[program_words] = size_ - program_first;
+    words_[stack_depth_word] = static_cast<uint32_t>(found.stack_depth);
+    words_[frame_depth_word] = static_cast<uint32_t>(found.frame_depth);
+    words_[slot_count_word] = found.slot_count;
+    words_[lipschitz_word] = static_cast<uint32_t>(found.certificate.lipschitz.raw());
+    words_[erosion_word] = ScalarTraits<S>::word(found.certificate.erosion);
+    words_[inflation_word] = ScalarTraits<S>::word(found.certificate.inflation);
+    words_[error_word] = ScalarTraits<S>::word(found.certificate.error);
+    words_[value_budget_word] = found.budget.value;
+    words_[gradient_budget_word] = found.budget.gradient;
+    words_[crc_word] = image_crc(words_, size_);
+    return found.status == LoadStatus::ok ? inspect_image<S>(words_, size_) : found;
+  }
+
+  constexpr const uint32_t* words() const { return words_; }
+  constexpr uint32_t size() const { return size_; }
+
+ private:
+  constexpr void append(uint32_t word) {
+    if (size_ < Capacity) words_[size_++] = word;
+    else overflowed_ = true;
+  }
+  template <class T> constexpr void append_payload(const T& payload) {
+    if constexpr (payload_words<T> != 0) {
+      const auto words = bits_as<detail::Words<payload_words<T>>>(payload);
+      for (const uint32_t word : words.word) append(word);
+    }
+  }
+
+  uint32_t words_[Capacity] = {};
+  uint32_t size_ = image_format::header_words;
+  bool overflowed_ = false;
+};
+
+}  // namespace nearfield

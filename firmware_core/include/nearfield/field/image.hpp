@@ -1,0 +1,335 @@
+// Program images: a field as data, checked in place once and then evaluated without any further check.
+// Format: SPEC.md, "Images". Little-endian 32-bit words; position-independent; may lie in flash.
+#pragma once
+
+#include <nearfield/field/budget.hpp>
+
+namespace nearfield {
+
+enum class LoadStatus : uint8_t {
+  ok,
+  no_image,            // null pointer, not aligned to 4 bytes, or shorter than a header
+  wrong_magic,         // not an image, or one of the other byte order
+  wrong_version,
+  wrong_size,          // truncated, or section sizes that do not add up
+  crc_mismatch,
+  wrong_scalar,        // made for another number type
+  bad_table,           // segment count, headroom or coefficients that could overflow
+  unknown_operation,
+  truncated_operation,
+  bad_table_reference,
+  kind_mismatch,       // an operand of the wrong kind, or a program that does not end with exactly one result
+  stack_too_deep,
+  frames_unbalanced,
+  frames_too_deep,
+  parameter_out_of_range,
+  certificate_mismatch,  // the image claims another certificate, depth or budget than its contents have
+};
+
+namespace image_format {
+
+inline constexpr uint32_t magic = 0x3149464eu;  // "NFI1"
+inline constexpr uint32_t version = 1;
+enum Word : uint32_t {
+  magic_word, version_word, size_word, crc_word, scalar_word, kind_word, table_words, program_words, stack_depth_word,
+  frame_depth_word, slot_count_word, lipschitz_word, erosion_word, inflation_word, error_word, value_budget_word,
+  gradient_budget_word, header_words
+};
+// A table: log2_segments, slope_headroom, the five facts, then 4 coefficients a segment.
+inline constexpr uint32_t table_header_words = 7;
+
+}  // namespace image_format
+
+inline constexpr int kStackDepth = 8;   // results waiting to be blended
+inline constexpr int kFrameDepth = 4;   // nested frames
+inline constexpr uint32_t kSlotLimit = 64;
+inline constexpr uint32_t kImageWordLimit = 1u << 20;
+
+// CRC-32 (IEEE 802.3, reflected) of the image's words except the one that holds it.
+constexpr uint32_t image_crc(const uint32_t* words, uint32_t count) {
+  uint32_t crc = 0xffffffffu;
+  for (uint32_t i = 0; i < count; ++i) {
+    if (i == image_format::crc_word) continue;
+    crc ^= words[i];
+    for (int bit = 0; bit < 32; ++bit) crc = (crc >> 1) ^ ((crc & 1u) != 0 ? 0xedb88320u : 0u);
+  }
+  return ~crc;
+}
+
+template <class T> constexpr uint32_t payload_words = __is_empty(T) ? 0 : static_cast<uint32_t>(sizeof(T) / 4);
+
+namespace detail {
+
+template <uint32_t count> struct Words { uint32_t word[count]; };
+
+template <class T> constexpr T read_payload(const uint32_t* words) {
+  if constexpr (payload_words<T> == 0) {
+    return T{};
+  } else {
+    Words<payload_words<T>> copy{};
+    for (uint32_t i = 0; i < payload_words<T>; ++i) copy.word[i] = words[i];
+    return bits_as<T>(copy);
+  }
+}
+
+}  // namespace detail
+
+// What there is to know about a program, found by walking it once.
+template <class S> struct Inspection {
+  LoadStatus status = LoadStatus::ok;
+  uint32_t at_word = 0;  // where it failed, counted from the image's start
+  Kind kind = Kind::distance;
+  Certificate<S> certificate;
+  Budget budget;
+  int stack_depth = 0;
+  int frame_depth = 0;
+  uint32_t slot_count = 0;
+};
+
+namespace detail {
+
+constexpr TableFacts read_facts(const uint32_t* table) {
+  return {static_cast<int32_t>(table[2]), static_cast<int32_t>(table[3]), static_cast<int32_t>(table[4]),
+          static_cast<int32_t>(table[5]), static_cast<int32_t>(table[6])};
+}
+
+// The abstract machine: evaluates a program on certificates instead of values.
+template <class S> class Inspector {
+ public:
+  constexpr Inspector(const uint32_t* image, uint32_t first, uint32_t last, uint32_t tables_first)
+      : image_(image), at_(first), last_(last), tables_first_(tables_first), tables_last_(first) {
+    reach_[0] = domain_reach<S>();
+    result_.budget = kCortexM4QueryCost;
+  }
+
+  constexpr Inspection<S> run() {
+    while (at_ < last_ && result_.status == LoadStatus::ok) {
+      result_.at_word = at_;
+      const uint32_t word = image_[at_];
+      payload_ = at_ + 1;
+      at_ = payload_ + (word >> 8);
+      if ((word >> 8) > last_ - payload_) return fail(LoadStatus::truncated_operation);
+      step(static_cast<Operation>(word & 0xffu), word >> 8);
+    }
+    if (result_.status != LoadStatus::ok) return result_;
+    if (frames_ != 0) return fail(LoadStatus::frames_unbalanced);
+    if (stack_ != 1) return fail(LoadStatus::kind_mismatch);
+    result_.kind = kinds_[0];
+    result_.certificate = certificates_[0];
+    if (!result_.certificate.valid) return fail(LoadStatus::parameter_out_of_range);
+    return result_;
+  }
+
+ private:
+  constexpr Inspection<S> fail(LoadStatus status) {
+    result_.status = status;
+    return result_;
+  }
+
+  constexpr void step(Operation operation, uint32_t words) {
+    const Budget cost = cortex_m4_cost(operation);
+    result_.budget = result_.budget + cost;
+    switch (operation) {
+#define NEARFIELD_CASE(code, name, type) \
+  case Operation::name: return shape<type<S>>(words);
+      NEARFIELD_SHAPES(NEARFIELD_CASE) NEARFIELD_SHAPES_WITH_TABLE(NEARFIELD_CASE)
+#undef NEARFIELD_CASE
+#define NEARFIELD_CASE(code, name, type) \
+  case Operation::name: return blend<type<S>>(words);
+      NEARFIELD_BLENDS(NEARFIELD_CASE) NEARFIELD_BLENDS_WITH_TABLE(NEARFIELD_CASE)
+#undef NEARFIELD_CASE
+      case Operation::enter_pose: return enter_pose(words);
+      case Operation::enter_slot: return enter_slot(words);
+      case Operation::leave: return leave(words);
+    }
+    fail(LoadStatus::unknown_operation);
+  }
+
+  template <class T> constexpr bool payload_fits(uint32_t words) {
+    constexpr uint32_t expected = payload_words<T> + (OperationOf<T>::uses_table ? 1u : 0u);
+    if (words != expected) fail(LoadStatus::truncated_operation);
+    return words == expected;
+  }
+  // The table that an operation refers to by its word offset: one that the table section really holds.
+  template <class T> constexpr bool table_found() {
+    const uint32_t reference = image_[payload_ + payload_words<T>];
+    uint32_t table = tables_first_;
+    while (table < tables_last_ && table != reference) table += image_format::table_header_words + (4u << image_[table]);
+    table_ = table;
+    if (table >= tables_last_) fail(LoadStatus::bad_table_reference);
+    return table < tables_last_;
+  }
+
+  constexpr void push(Kind kind, const Certificate<S>& certificate) {
+    if (stack_ == kStackDepth) {
+      fail(LoadStatus::stack_too_deep);
+      return;
+    }
+    kinds_[stack_] = kind;
+    certificates_[stack_] = certificate;
+    ++stack_;
+    if (stack_ > result_.stack_depth) result_.stack_depth = stack_;
+    if (!certificate.valid) fail(LoadStatus::parameter_out_of_range);
+  }
+
+  template <class T> constexpr void shape(uint32_t words) {
+    if (!payload_fits<T>(words)) return;
+    if constexpr (OperationOf<T>::uses_table) {
+      if (!table_found<T>()) return;
+    }
+    push(T::kind, read_payload<T>(image_ + payload_).certificate(reach_[frames_]));
+  }
+
+  template <class T> constexpr void blend(uint32_t words) {
+    if (!payload_fits<T>(words)) return;
+    if (stack_ < floor() + 2 || kinds_[stack_ - 1] != T::kind || kinds_[stack_ - 2] != T::kind) {
+      fail(LoadStatus::kind_mismatch);
+      return;
+    }
+    const T blend = read_payload<T>(image_ + payload_);
+    stack_ -= 2;
+    if constexpr (OperationOf<T>::uses_table) {
+      if (!table_found<T>()) return;
+      push(T::kind, blend.certificate(certificates_[stack_], certificates_[stack_ + 1], read_facts(image_ + table_),
+                                      reach_[frames_].radius));
+    } else {
+      push(T::kind, blend.certificate(certificates_[stack_], certificates_[stack_ + 1]));
+    }
+  }
+
+  constexpr void enter(const Vector3<S>& translation, PoseOrigin origin) {
+    if (frames_ == kFrameDepth) {
+      fail(LoadStatus::frames_too_deep);
+      return;
+    }
+    reach_[frames_ + 1] = inner_reach(reach_[frames_], translation);
+    origins_[frames_] = origin;
+    floors_[frames_] = stack_;
+    ++frames_;
+    if (frames_ > result_.frame_depth) result_.frame_depth = frames_;
+  }
+  constexpr void enter_pose(uint32_t words) {
+    if (words != payload_words<Pose<S>>) {
+      fail(LoadStatus::truncated_operation);
+      return;
+    }
+    const Pose<S> pose = read_payload<Pose<S>>(image_ + payload_);
+    if (!valid_pose(pose)) {
+      fail(LoadStatus::parameter_out_of_range);
+      return;
+    }
+    enter(pose.translation, PoseOrigin::constant);
+  }
+  constexpr void enter_slot(uint32_t words) {
+    if (words != 1) {
+      fail(LoadStatus::truncated_operation);
+      return;
+    }
+    const uint32_t slot = image_[payload_];
+    if (slot >= kSlotLimit) {
+      fail(LoadStatus::parameter_out_of_range);
+      return;
+    }
+    if (slot >= result_.slot_count) result_.slot_count = slot + 1;
+    const S d = ScalarTraits<S>::domain();
+    enter({d, d, d}, PoseOrigin::run_time);
+  }
+  // A frame must leave exactly one result more than it found.
+  constexpr void leave(uint32_t words) {
+    if (words != 0 || frames_ == 0 || stack_ != floors_[frames_ - 1] + 1) {
+      fail(LoadStatus::frames_unbalanced);
+      return;
+    }
+    Certificate<S>& top = certificates_[stack_ - 1];
+    top = placed_certificate(top, reach_[frames_], origins_[frames_ - 1]);
+    --frames_;
+  }
+  constexpr int floor() const { return frames_ == 0 ? 0 : floors_[frames_ - 1]; }
+
+  const uint32_t* image_;
+  uint32_t at_, last_, tables_first_, tables_last_;
+  uint32_t payload_ = 0, table_ = 0;
+  int stack_ = 0, frames_ = 0;
+  Kind kinds_[kStackDepth] = {};
+  Certificate<S> certificates_[kStackDepth] = {};
+  Reach<S> reach_[kFrameDepth + 1] = {};
+  PoseOrigin origins_[kFrameDepth] = {};
+  int floors_[kFrameDepth] = {};
+  Inspection<S> result_;
+};
+
+// Whether the kernel can run on a table's coefficients without leaving the number range.
+template <class S> constexpr bool table_in_range(const uint32_t* table) {
+  if (table[1] > 3 || table[1] > table[0]) return false;
+  const TableFacts facts = read_facts(table);
+  if (facts.error < 0 || facts.least_value > facts.greatest_value || facts.least_slope > facts.greatest_slope) return false;
+  for (uint32_t i = 0; i < (1u << table[0]); ++i) {
+    const uint32_t* c = table + image_format::table_header_words + 4 * i;
+    if constexpr (ScalarTraits<S>::is_fixed) {
+      int64_t sum = 0;
+      for (int j = 1; j < 4; ++j) {
+        const int64_t stored = static_cast<int32_t>(c[j]);
+        sum += stored < 0 ? -stored : stored;
+      }
+      if (sum > greatest_of<int32_t>) return false;
+      const int64_t middle = static_cast<int32_t>(c[0]);
+      const int64_t swing = (sum >> (table[0] - table[1])) + 1;
+      if (middle + swing > greatest_of<int32_t> || middle - swing < least_of<int32_t>) return false;
+    } else {
+      for (int j = 0; j < 4; ++j) {
+        const float stored = bits_as<float>(c[j]);
+        if (!(stored > -64.0f && stored < 64.0f)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace detail
+
+// Checks an image of `word_count` words completely: after `ok` no evaluation can fail, overflow or read outside it.
+// Time: bounded, about 150 instructions a word on Cortex-M4 (the CRC), and 400 an operation.
+template <class S> constexpr Inspection<S> inspect_image(const uint32_t* words, uint32_t word_count) {
+  using namespace image_format;
+  Inspection<S> failed;
+  const auto fail = [&failed](LoadStatus status, uint32_t at) {
+    failed.status = status;
+    failed.at_word = at;
+    return failed;
+  };
+  if (words == nullptr || word_count < header_words) return fail(LoadStatus::no_image, 0);
+  if (words[magic_word] != magic) return fail(LoadStatus::wrong_magic, magic_word);
+  if (words[version_word] != version) return fail(LoadStatus::wrong_version, version_word);
+  const uint32_t size = words[size_word];
+  if (size > word_count || size > kImageWordLimit || size < header_words) return fail(LoadStatus::wrong_size, size_word);
+  if (words[table_words] > size - header_words || words[program_words] != size - header_words - words[table_words]) {
+    return fail(LoadStatus::wrong_size, table_words);
+  }
+  if (words[crc_word] != image_crc(words, size)) return fail(LoadStatus::crc_mismatch, crc_word);
+  if (words[scalar_word] != ScalarTraits<S>::tag) return fail(LoadStatus::wrong_scalar, scalar_word);
+
+  const uint32_t tables_last = header_words + words[table_words];
+  for (uint32_t table = header_words; table < tables_last;) {
+    if (tables_last - table < table_header_words || words[table] < 3 || words[table] > 8 ||
+        tables_last - table - table_header_words < (4u << words[table]) || !detail::table_in_range<S>(words + table)) {
+      return fail(LoadStatus::bad_table, table);
+    }
+    table += table_header_words + (4u << words[table]);
+  }
+  const Inspection<S> found = detail::Inspector<S>(words, tables_last, size, header_words).run();
+  if (found.status != LoadStatus::ok) return found;
+  if (words[kind_word] != static_cast<uint32_t>(found.kind) ||
+      words[stack_depth_word] != static_cast<uint32_t>(found.stack_depth) ||
+      words[frame_depth_word] != static_cast<uint32_t>(found.frame_depth) ||
+      words[slot_count_word] != found.slot_count ||
+      words[lipschitz_word] != static_cast<uint32_t>(found.certificate.lipschitz.raw()) ||
+      words[erosion_word] != ScalarTraits<S>::word(found.certificate.erosion) ||
+      words[inflation_word] != ScalarTraits<S>::word(found.certificate.inflation) ||
+      words[error_word] != ScalarTraits<S>::word(found.certificate.error) ||
+      words[value_budget_word] != found.budget.value || words[gradient_budget_word] != found.budget.gradient) {
+    return fail(LoadStatus::certificate_mismatch, kind_word);
+  }
+  return found;
+}
+
+}  // namespace nearfield

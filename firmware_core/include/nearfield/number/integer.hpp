@@ -1,0 +1,63 @@
+// Integer arithmetic with exactly one meaning on every compiler: two's complement, no undefined behaviour.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace nearfield {
+
+static_assert((-1 >> 1) == -1, "right shifts of negative numbers must be arithmetic");
+
+// The integer that holds every product of two numbers of width Raw.
+template <class Raw> struct WideOf;
+template <> struct WideOf<int8_t> { using type = int16_t; };
+template <> struct WideOf<int16_t> { using type = int32_t; };
+template <> struct WideOf<int32_t> { using type = int64_t; };
+
+template <class Raw> struct UnsignedOf;
+template <> struct UnsignedOf<int8_t> { using type = uint8_t; };
+template <> struct UnsignedOf<int16_t> { using type = uint16_t; };
+template <> struct UnsignedOf<int32_t> { using type = uint32_t; };
+template <> struct UnsignedOf<int64_t> { using type = uint64_t; };
+
+template <class Raw>
+constexpr Raw greatest_of = static_cast<Raw>(static_cast<typename UnsignedOf<Raw>::type>(-1) >> 1);
+template <class Raw> constexpr Raw least_of = static_cast<Raw>(-greatest_of<Raw> - 1);
+
+// Sum, difference and negation modulo 2^width. Exact whenever the exact result is representable.
+template <class Raw> constexpr Raw wrapping_add(Raw a, Raw b) {
+  using U = typename UnsignedOf<Raw>::type;
+  return static_cast<Raw>(static_cast<U>(static_cast<U>(a) + static_cast<U>(b)));
+}
+template <class Raw> constexpr Raw wrapping_subtract(Raw a, Raw b) {
+  using U = typename UnsignedOf<Raw>::type;
+  return static_cast<Raw>(static_cast<U>(static_cast<U>(a) - static_cast<U>(b)));
+}
+
+// Number of zero bits above the highest one; the full width for 0.
+constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(x); }
+constexpr int leading_zeros(uint64_t x) {
+  const uint32_t high = static_cast<uint32_t>(x >> 32);
+  return high != 0 ? leading_zeros(high) : 32 + leading_zeros(static_cast<uint32_t>(x));
+}
+
+// High word of a 32 x 32 bit product: floor(a * b / 2^32). One instruction on Cortex-M3 and up.
+constexpr uint32_t multiply_high(uint32_t a, uint32_t b) {
+  return static_cast<uint32_t>((static_cast<uint64_t>(a) * b) >> 32);
+}
+constexpr int32_t multiply_high(int32_t a, int32_t b) {
+  return static_cast<int32_t>((static_cast<int64_t>(a) * b) >> 32);
+}
+
+// floor(x / 2^shift) and x * 2^shift modulo 2^32, shift in 0 ... 31.
+constexpr int32_t shift_left(int32_t x, int shift) {
+  return static_cast<int32_t>(static_cast<uint32_t>(x) << shift);
+}
+
+// Same bits, other type. Not a numeric conversion.
+template <class To, class From> constexpr To bits_as(const From& from) {
+  static_assert(sizeof(To) == sizeof(From), "bits_as keeps the size");
+  return __builtin_bit_cast(To, from);
+}
+
+}  // namespace nearfield

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <nearfield/shape/certificate.hpp>
+#include <nearfield/shape/sample.hpp>
+
+namespace nearfield {
+
+// All points within `radius` of the segment from `from`, `length` along `axis`. Metres; the axis is a unit vector
+// (zero if the length is zero: then the capsule is a ball). Radius 0 is allowed: a bare segment.
+// Exact signed distance; budget: operations.hpp.
+template <class S> struct Capsule {
+  using Scalar = S;
+  static constexpr Kind kind = Kind::distance;
+  Vector3<S> from;
+  Vector3<Unit<S>> axis;
+  S length{};
+  S radius{};
+
+  constexpr Capsule() = default;
+  constexpr Capsule(const Vector3<S>& a, const Vector3<Unit<S>>& unit_axis, S axis_length, S capsule_radius)
+      : from(a), axis(unit_axis), length(axis_length), radius(capsule_radius) {}
+  // From both ends of the segment. Precondition: |b - a| in range.
+  constexpr Capsule(const Vector3<S>& a, const Vector3<S>& b, S capsule_radius) : from(a), radius(capsule_radius) {
+    const Polar<S, Unit<S>> along = polar<Unit<S>>(subtract_in_range(b, a));
+    axis = along.direction;
+    length = along.length;
+  }
+
+
+  template <class Out> constexpr Out evaluate(const Vector3<S>& p) const {
+    return from_offset<Out>(offset_to(p), radius);
+  }
+
+  // From the nearest point of the segment to p.
+  constexpr Vector3<S> offset_to(const Vector3<S>& p) const {
+    const Vector3<S> relative = subtract_in_range(p, from);
+    const S place = clamp(narrow_in_range<S>(dot(relative, axis)), S{}, length);
+    return subtract_in_range(relative, along(place));
+  }
+
+  // Rounding units: start sqrt(3)/2, axis (2 units of 2^-30 a component) 1/2, place 1/2, its product sqrt(3)/2,
+  // length 1, radius 1/2, root 1.
+  constexpr Certificate<S> certificate(Reach<S> reach) const {
+    return exact_distance<S>(reach, extent(), valid(), 6);
+  }
+  // No point of the capsule is farther than this from the local origin.
+  constexpr S extent() const { return length_of<S>(sum_of_squares(from.x, from.y, from.z)) + length + radius; }
+
+  constexpr bool valid() const {
+    const S limit = ScalarTraits<S>::domain();
+    return coordinates_in_domain(from) && within(length, S{}, limit + limit) && within(radius, S{}, limit) &&
+           valid_axis();
+  }
+
+  // place * axis: from the segment's start to the point `place` metres along it.
+  constexpr Vector3<S> along(S place) const {
+    return {narrow_in_range<S>(product(place, axis.x)), narrow_in_range<S>(product(place, axis.y)),
+            narrow_in_range<S>(product(place, axis.z))};
+  }
+
+ private:
+  // Unit length within 8 units of 2^-30 (float: 2^-21), or zero together with the length.
+  constexpr bool valid_axis() const {
+    using T = ScalarTraits<Unit<S>>;
+    if (length == S{}) return is_zero(axis);
+    const Unit<S> one = ScalarTraits<S>::unit_one();
+    if (!(within(axis.x, -one, one) && within(axis.y, -one, one) && within(axis.z, -one, one))) return false;
+    const Unit<S> norm = length_of<Unit<S>>(sum_of_squares(axis.x, axis.y, axis.z));
+    const Unit<S> slack = T::times(T::rounding_unit(one), ScalarTraits<S>::is_fixed ? 8 : 1);
+    return within(norm, one - slack, one + slack);
+  }
+};
+
+}  // namespace nearfield
