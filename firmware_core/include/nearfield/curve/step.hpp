@@ -18,7 +18,7 @@ template <int n> struct Polynomial {
     if (t >= 1.0) return {1.0, 0.0};
     const double x = 0.5 * n * (t + 1.0);
     // Row m holds f_m(x - j), j = 0 ... n - m, and their derivatives.
-    double value[n + 1] = {}, slope[n + 1] = {};
+    double value[size_t{n} + 1] = {}, slope[size_t{n} + 1] = {};
     for (int j = 0; j <= n; ++j) value[j] = x - j > 0.0 ? 1.0 : x - j < 0.0 ? 0.0 : 0.5;
     for (int m = 1; m <= n; ++m) {
       for (int j = 0; j <= n - m; ++j) {

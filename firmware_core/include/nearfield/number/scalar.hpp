@@ -70,6 +70,19 @@ template <int F, class R> struct ScalarTraits<Fixed<F, R>> {
   static constexpr S divide_down(S a, Fixed<30> reciprocal) {
     return S::from_raw(static_cast<R>((static_cast<int64_t>(a.raw()) * reciprocal.raw()) >> 30));
   }
+  // Bounds on what small rotations move, for error budgets: length * units * 2^-30, rounded up; and the units of 2^-30
+  // by which an angle multiplier * value + offset may be off when value, multiplier and offset were rounded.
+  static constexpr S rotation_units_times(S length, uint32_t units) {
+    ArithmeticStatus ignored;
+    const int64_t exact = static_cast<int64_t>(length.raw()) * static_cast<int64_t>(units);
+    return S::saturate((exact >> 30) + 1, ignored);
+  }
+  static constexpr uint32_t angle_units(S multiplier) {
+    const int64_t unit = int64_t{1} << (30 - F);
+    const int64_t magnitude = multiplier.raw() < 0 ? -static_cast<int64_t>(multiplier.raw()) : multiplier.raw();
+    if (magnitude == (int64_t{1} << F)) return static_cast<uint32_t>(unit / 2);
+    return static_cast<uint32_t>(unit * 8 + ((unit / 2 * magnitude) >> F));
+  }
 };
 
 template <> struct ScalarTraits<float> {
@@ -94,6 +107,12 @@ template <> struct ScalarTraits<float> {
   }
   static constexpr float divide_down(float a, Fixed<30> reciprocal) {
     return a * (static_cast<float>(reciprocal.raw()) * (1.0f / 1073741824.0f)) * 0.999999f;
+  }
+  static constexpr float rotation_units_times(float length, uint32_t units) {
+    return length * static_cast<float>(units) * (1.0f / 2097152.0f) * 1.000001f;
+  }
+  static constexpr uint32_t angle_units(float multiplier) {
+    return 4 + static_cast<uint32_t>(16.0f * (multiplier < 0 ? -multiplier : multiplier));
   }
 };
 

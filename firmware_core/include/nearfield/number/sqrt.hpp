@@ -109,4 +109,14 @@ template <class S> constexpr S root_to_scalar(uint32_t root) {
 template <class S> constexpr S length_of(uint64_t squares) { return root_to_scalar<S>(integer_sqrt(squares)); }
 template <class S> constexpr float length_of(float squares) { return square_root(squares); }
 
+
+// sqrt(hypotenuse^2 - leg^2) for hypotenuse >= leg >= 0, rounded down (float: a few units in the last place lower).
+template <int F, class R> constexpr Fixed<F, R> other_leg(Fixed<F, R> hypotenuse, Fixed<F, R> leg) {
+  const uint64_t h = static_cast<uint64_t>(hypotenuse.raw()), l = static_cast<uint64_t>(leg.raw());
+  return length_of<Fixed<F, R>>(h * h - l * l);
+}
+constexpr float other_leg(float hypotenuse, float leg) {
+  return square_root((hypotenuse - leg) * (hypotenuse + leg)) * 0.9999995f;
+}
+
 }  // namespace nearfield

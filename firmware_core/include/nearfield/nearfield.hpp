@@ -1,0 +1,11 @@
+// Nearfield: clearances that are never too large, in fixed point, on a microcontroller.
+// This header brings everything a firmware author needs; field/builder.hpp, for writing images, comes on top.
+#pragma once
+
+#include <nearfield/curve/kernel.hpp>
+#include <nearfield/curve/potential.hpp>
+#include <nearfield/curve/step.hpp>
+#include <nearfield/field/compose.hpp>
+#include <nearfield/field/program.hpp>
+#include <nearfield/query/arm_monitor.hpp>
+#include <nearfield/query/clearance.hpp>

@@ -1,0 +1,137 @@
+// One control tick of an arm: poses, clearances, zone, speed and a direction to flee, each from the layers below.
+#pragma once
+
+#include <nearfield/query/capsule_clearance.hpp>
+#include <nearfield/query/capsule_pair.hpp>
+#include <nearfield/query/chain.hpp>
+#include <nearfield/query/zone.hpp>
+
+namespace nearfield {
+
+// A clearance and what it is between. Body numbers of the arm (`body`) and of the person or the arm (`other`);
+// none where the answer is not about one.
+inline constexpr uint16_t kNoBody = 0xffff;
+template <class S> struct NearestBodies {
+  Clearance<S> clearance;
+  uint16_t body = kNoBody;
+  uint16_t other = kNoBody;
+};
+
+template <class S> struct ArmTick {
+  KinematicsStatus kinematics = KinematicsStatus::invalid;         // of the arm
+  KinematicsStatus person_kinematics = KinematicsStatus::invalid;  // ok if nobody is there
+  NearestBodies<S> cell, person, itself;
+  Zone zone = Zone::stop;
+  S speed_override{};      // 0 ... 1
+  S intensity{};           // of the soft field at the tool, 1
+  Vector3<S> repulsion{};  // unit vector down the soft field's gradient at the tool, or zero
+};
+
+// The fixed part. `Cell` and `Soft` are fields (Field or Program): Cell of distances, evaluated without slots; Soft of
+// intensities, whose slots are the person's links. Pointers must stay valid.
+template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmMonitor {
+  using S = typename ArmChain::Scalar;
+
+  const ArmChain* arm = nullptr;
+  const PersonChain* person = nullptr;  // null: nobody
+  const Cell* cell = nullptr;
+  const Soft* soft = nullptr;           // null: no repulsion
+  const uint8_t* checked_against_cell = nullptr;  // one flag per arm body
+  const BodyPair* self_pairs = nullptr;           // arm bodies that must be kept apart
+  uint16_t self_pair_count = 0;
+  uint16_t tool_link = 0;
+  SweepEffort<S> effort;
+  SpeedRamp<S> person_ramp;
+  SpeedRamp<S> cell_ramp;
+
+  // Joint values of arm and person: radians, metres. Everything that goes wrong stops the arm and says what it was.
+  // Cost: budget().
+  constexpr ArmTick<S> tick(const S* arm_joints, const S* person_joints) const {
+    ArmTick<S> out;
+    Pose<S> arm_poses[ArmChain::max_links] = {};
+    Pose<S> person_poses[PersonChain::max_links] = {};
+    out.kinematics = arm->link_poses(arm_joints, arm_poses);
+    out.person_kinematics = person == nullptr ? KinematicsStatus::ok : person->link_poses(person_joints, person_poses);
+    if (out.kinematics != KinematicsStatus::ok || out.person_kinematics != KinematicsStatus::ok) return out;
+
+    Capsule<S> bodies[ArmChain::max_bodies] = {};
+    for (uint16_t i = 0; i < arm->body_count(); ++i) bodies[i] = arm->placed_body(i, arm_poses);
+    to_cell(bodies, out.cell);
+    to_person(bodies, person_poses, out.person);
+    to_itself(bodies, out.itself);
+
+    out.zone = least_of_two(person_ramp.zone(out.person.clearance), cell_ramp.zone(out.cell.clearance));
+    out.speed_override =
+        least_of_two(person_ramp.override_for(out.person.clearance), cell_ramp.override_for(out.cell.clearance));
+    if (out.itself.clearance.status != ClearanceStatus::clear) {
+      out.zone = Zone::stop;
+      out.speed_override = S{};
+    }
+    repel(arm_poses[tool_link].translation, person_poses, out);
+    return out;
+  }
+
+  // Worst-case instructions of a tick on Cortex-M4.
+  constexpr uint32_t budget() const {
+    const uint32_t bodies = arm->body_count(), person_bodies = person == nullptr ? 0 : person->body_count();
+    const uint32_t joints = arm->link_count() + (person == nullptr ? 0u : person->link_count());
+    const uint32_t evaluations = static_cast<uint32_t>(effort.evaluations);
+    return 1500 + joints * cost_per_joint + (bodies + person_bodies) * cost_per_placed_body +
+           bodies * (evaluations * (cell->budget().value + cost_per_stretch) + cell->budget().gradient) +
+           (bodies * person_bodies + self_pair_count) * cost_per_pair +
+           (soft == nullptr ? 0 : soft->budget().gradient + joints * cost_per_pose_check);
+  }
+  static constexpr uint32_t cost_per_joint = 900, cost_per_placed_body = 120, cost_per_stretch = 330,
+                            cost_per_pair = 480, cost_per_pose_check = 260;
+
+ private:
+  static constexpr void keep_nearer(NearestBodies<S>& least, const Clearance<S>& candidate, uint16_t body, uint16_t other) {
+    if (least.body == kNoBody || &nearer(least.clearance, candidate) == &candidate) least = {candidate, body, other};
+  }
+  static constexpr Clearance<S> clearance_of(const SeparatedBy<S>& apart, S error) {
+    Clearance<S> c;
+    c.distance = apart.distance - error;
+    c.direction = apart.direction;
+    c.status = c.distance > S{} ? ClearanceStatus::clear
+               : apart.distance + error <= S{} ? ClearanceStatus::touching : ClearanceStatus::undecided;
+    return c;
+  }
+  static constexpr Clearance<S> nothing_there() {
+    return {ClearanceStatus::clear, ScalarTraits<S>::greatest(), {}};
+  }
+
+  constexpr void to_cell(const Capsule<S>* bodies, NearestBodies<S>& least) const {
+    least.clearance = nothing_there();
+    for (uint16_t i = 0; i < arm->body_count(); ++i) {
+      if (checked_against_cell[i] == 0) continue;
+      keep_nearer(least, clearance(*cell, bodies[i], arm->body_error(i), effort), i, kNoBody);
+    }
+  }
+  constexpr void to_person(const Capsule<S>* bodies, const Pose<S>* person_poses, NearestBodies<S>& least) const {
+    least.clearance = nothing_there();
+    if (person == nullptr) return;
+    for (uint16_t j = 0; j < person->body_count(); ++j) {
+      const Capsule<S> limb = person->placed_body(j, person_poses);
+      for (uint16_t i = 0; i < arm->body_count(); ++i) {
+        keep_nearer(least, clearance_of(separation(bodies[i], limb), arm->body_error(i) + person->body_error(j)), i, j);
+      }
+    }
+  }
+  constexpr void to_itself(const Capsule<S>* bodies, NearestBodies<S>& least) const {
+    least.clearance = nothing_there();
+    for (uint16_t k = 0; k < self_pair_count; ++k) {
+      const uint16_t i = self_pairs[k].first, j = self_pairs[k].second;
+      keep_nearer(least, clearance_of(separation(bodies[i], bodies[j]), arm->body_error(i) + arm->body_error(j)), i, j);
+    }
+  }
+  constexpr void repel(const Vector3<S>& tool, const Pose<S>* person_poses, ArmTick<S>& out) const {
+    if (soft == nullptr || !soft->valid() || soft->kind() != Kind::intensity || !coordinates_in_domain(tool)) return;
+    const uint32_t poses = person == nullptr ? 0u : person->link_count();
+    if (soft->slot_count() > poses || !detail::valid_poses(person_poses, soft->slot_count())) return;
+    const Sample<S> sample = soft->template evaluate<Sample<S>>(tool, person_poses);
+    out.intensity = sample.value;
+    out.repulsion = -polar<S>(sample.gradient).direction;
+  }
+};
+
+}  // namespace nearfield

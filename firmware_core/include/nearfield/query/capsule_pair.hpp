@@ -1,0 +1,77 @@
+// Distance between two capsules, certified by a separating direction.
+#pragma once
+
+#include <nearfield/query/clearance.hpp>
+
+namespace nearfield {
+
+namespace detail {
+
+// numerator / denominator for denominator in [2^-24, 1], saturating; relative error below 2^-25.
+// By two products with a reciprocal square root, so that the cost is fixed and no division is needed.
+template <int F, class R> constexpr Fixed<F, R> quotient(Fixed<F, R> numerator, Unit<Fixed<F, R>> denominator) {
+  const RootParts root = root_parts(static_cast<uint64_t>(denominator.raw()) << 32);
+  int64_t value = numerator.raw();
+  for (int i = 0; i < 2; ++i) {
+    // root_parts sees the denominator with 62 fraction bits: 1 / sqrt(d) = reciprocal * 2^(shift - 31).
+    value = (value * root.reciprocal) >> (31 - root.shift);
+    if (value > greatest_of<int32_t>) value = greatest_of<int32_t>;
+    if (value < -greatest_of<int32_t>) value = -greatest_of<int32_t>;
+  }
+  return Fixed<F, R>::from_raw(static_cast<R>(value));
+}
+constexpr float quotient(float numerator, float denominator) { return numerator / denominator; }
+
+template <class S> constexpr bool nearly_parallel(Unit<S> denominator) {
+  if constexpr (ScalarTraits<S>::is_fixed) return denominator.raw() < (1 << (Unit<S>::fraction_bits - 24));
+  else return !(denominator > 1.0f / 1048576.0f);
+}
+
+}  // namespace detail
+
+// Signed distance of two capsules (metres), a lower bound, and the direction from the second to the first.
+// Their nearest points are found in one pass; whatever that misses cannot make the answer too large, for the bound is
+// that of a separating direction n: least n . a over the first segment less greatest n . b over the second.
+// At most 5 rounding units below the true distance where the segments are not nearly parallel (within 2^-12 rad).
+// Cost on Cortex-M4: about 420 instructions.
+template <class S> struct SeparatedBy {
+  S distance{};
+  Vector3<S> direction{};
+};
+
+template <class S> constexpr SeparatedBy<S> separation(const Capsule<S>& a, const Capsule<S>& b) {
+  using U = Unit<S>;
+  using T = ScalarTraits<S>;
+  const S zero{};
+  const S radii = a.radius + b.radius;
+  const Vector3<S> between = subtract_in_range(a.from, b.from);
+  if (a.length == zero && b.length == zero) {
+    const Polar<S, S> apart = polar<S>(between);
+    return {apart.length - radii, apart.direction};
+  }
+  // Minimise |between + s u - t v| over s in [0, a.length], t in [0, b.length].
+  const S along_a = narrow<S>(dot(between, a.axis)), along_b = narrow<S>(dot(between, b.axis));
+  const U cosine = narrow<U>(dot(a.axis, b.axis));
+  const U square = narrow<U>(product(cosine, cosine));
+  const U denominator = subtract_in_range(T::unit_one(), square);
+  const S start = detail::nearly_parallel<S>(denominator)
+                      ? zero
+                      : detail::quotient(narrow<S>(product(cosine, along_b)) - along_a, denominator);
+  S s = clamp(start, zero, a.length);
+  const S t = clamp(along_b + narrow<S>(product(s, cosine)), zero, b.length);
+  s = clamp(narrow<S>(product(t, cosine)) - along_a, zero, a.length);
+  const Vector3<S> gap = subtract_in_range(add_in_range(between, a.along(s)), b.along(t));
+
+  const Polar<S, U> apart = polar<U>(gap);
+  const U rise_a = narrow<U>(dot(apart.direction, a.axis)), rise_b = narrow<U>(dot(apart.direction, b.axis));
+  const S from_start = narrow<S>(dot(between, apart.direction));
+  const S over_a = least_of_two(narrow<S>(product(a.length, rise_a)), zero);
+  const S over_b = greatest_of_two(narrow<S>(product(b.length, rise_b)), zero);
+  // Four roundings, and a direction that may be longer than 1 by 2^-28.
+  const S slack = T::times(T::rounding_unit(T::domain()), 4);
+  const S bound = from_start + over_a - over_b - slack;
+  return {greatest_of_two(bound, zero) - radii,
+          {T::from_unit(apart.direction.x), T::from_unit(apart.direction.y), T::from_unit(apart.direction.z)}};
+}
+
+}  // namespace nearfield
