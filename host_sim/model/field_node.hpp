@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/operators.hpp"
+#include "model/placement.hpp"
+#include "text/source_position.hpp"
+
+namespace nearfield::host {
+
+// One node of a field's tree, checked against its operator's description.
+struct FieldNode {
+  const OperatorDescription* operator_ = nullptr;  // never null once read
+  std::string name;                                // may be empty
+  Placement placement;             // in the frame of `link` if given, otherwise of the node above
+  std::optional<std::string> link;  // `LINK` of the arm or `person/LINK`
+  std::map<std::string, std::vector<double>> parameters;  // every one of the operator, defaults filled in
+  std::map<std::string, std::string> choices;             // every one of the operator, defaults filled in
+  std::vector<FieldNode> operands;
+  SourcePosition position;
+  std::string path;  // e.g. `field.operands[2]`
+
+  // A parameter that is one number. std::out_of_range when the operator has none of that key.
+  double number(const std::string& key) const { return parameters.at(key).front(); }
+  // A parameter that is three numbers. std::out_of_range when the operator has none of that key.
+  Vector3d vector(const std::string& key) const {
+    const std::vector<double>& numbers = parameters.at(key);
+    return {numbers.at(0), numbers.at(1), numbers.at(2)};
+  }
+};
+
+}  // namespace nearfield::host

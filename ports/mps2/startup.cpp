@@ -1,0 +1,132 @@
+// From reset to main(): FPU if the image uses it, .data and .bss, the painted stack, write protection of the
+// code; and what faults do.
+#include "semihosting.hpp"
+#include "stack_watermark.hpp"
+
+#include <stdint.h>
+
+extern "C" {
+extern uint32_t stack_top[];
+extern uint32_t data_start[];
+extern uint32_t data_end[];
+extern const uint32_t data_initial_values[];
+extern uint32_t bss_start[];
+extern uint32_t bss_end[];
+
+void reset_handler();
+void fault_handler();
+void initialise_memory();
+[[noreturn]] void report_fault(const uint32_t* frame, uint32_t exception_number);
+[[noreturn]] void exit_after_main(int status);
+}
+
+namespace {
+
+using nearfield::mps2::exit_with_status;
+using nearfield::mps2::write;
+using nearfield::mps2::write_hexadecimal;
+
+constexpr int kFaultExitStatus = 112;
+constexpr uintptr_t kConfigurableFaultStatus = 0xE000ED28;
+constexpr uintptr_t kMemoryFaultAddress = 0xE000ED34;
+constexpr uintptr_t kBusFaultAddress = 0xE000ED38;
+constexpr uintptr_t kMpuControl = 0xE000ED94;
+constexpr uintptr_t kMpuRegionNumber = 0xE000ED98;
+constexpr uintptr_t kMpuRegionBase = 0xE000ED9C;
+constexpr uintptr_t kMpuRegionAttributes = 0xE000EDA0;
+
+uint32_t read_register(uintptr_t address) { return *reinterpret_cast<const volatile uint32_t*>(address); }
+
+void write_register(uintptr_t address, uint32_t value) {
+  *reinterpret_cast<volatile uint32_t*>(address) = value;
+}
+
+// Everything below RAM becomes read-only: the code, address zero, and what a stack grows into that is too
+// large.
+void protect_code() {
+  constexpr uint32_t kReadOnly = 6u << 24;
+  constexpr uint32_t kSize512MiB = 28u << 1;
+  constexpr uint32_t kEnable = 1;
+  constexpr uint32_t kDefaultMapElsewhere = 1u << 2;
+  write_register(kMpuRegionNumber, 0);
+  write_register(kMpuRegionBase, 0);
+  write_register(kMpuRegionAttributes, kReadOnly | kSize512MiB | kEnable);
+  write_register(kMpuControl, kDefaultMapElsewhere | kEnable);
+  asm volatile("dsb\n isb" ::: "memory");
+}
+
+void write_field(const char* name, uint32_t value) {
+  write(name);
+  write_hexadecimal(value, 8);
+}
+
+using Handler = void (*)();
+
+struct VectorTable {
+  uint32_t* initial_stack_pointer;
+  Handler handlers[15];
+};
+
+// No interrupt is ever enabled, so the table ends with the system exceptions.
+[[gnu::section(".vectors"), gnu::used]] const VectorTable kVectorTable = {
+    stack_top,
+    {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler,
+     fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler,
+     fault_handler}};
+
+}  // namespace
+
+[[gnu::naked]] void reset_handler() {
+  asm volatile(
+#ifdef __ARM_FP
+      "ldr r0, =0xE000ED88   \n"  // CPACR: full access to the FPU, coprocessors 10 and 11
+      "ldr r1, [r0]          \n"
+      "orr r1, r1, #0xF00000 \n"
+      "str r1, [r0]          \n"
+      "dsb                   \n"
+      "isb                   \n"
+#endif
+      "bl initialise_memory  \n"
+      "bl main               \n"
+      "b exit_after_main     \n");
+}
+
+void initialise_memory() {
+  const uint32_t* initial_value = data_initial_values;
+  for (uint32_t* word = data_start; word != data_end; ++word) *word = *initial_value++;
+  for (uint32_t* word = bss_start; word != bss_end; ++word) *word = 0;
+  nearfield::mps2::paint_unused_stack();
+  protect_code();
+}
+
+void exit_after_main(int status) { exit_with_status(status); }
+
+// After a stack overflow the registers were not stacked and nothing can be called, so the report then runs on
+// a fresh stack and gets no frame.
+[[gnu::naked]] void fault_handler() {
+  asm volatile(
+      "mrs r0, msp            \n"
+      "mrs r1, ipsr           \n"
+      "ldr r2, =stack_top     \n"
+      "ldr r3, =stack_bottom  \n"
+      "cmp r0, r3             \n"
+      "itt lo                 \n"
+      "movlo r0, #0           \n"
+      "movlo sp, r2           \n"
+      "b report_fault         \n");
+}
+
+void report_fault(const uint32_t* frame, uint32_t exception_number) {
+  write_field("fault: exception ", exception_number);
+  if (frame != nullptr) {
+    write_field(", pc ", frame[6]);
+    write_field(", lr ", frame[5]);
+  } else {
+    write(", stack overflow");
+  }
+  write_field(", CFSR ", read_register(kConfigurableFaultStatus));
+  write_field(", MMFAR ", read_register(kMemoryFaultAddress));
+  write_field(", BFAR ", read_register(kBusFaultAddress));
+  write("\n");
+  exit_with_status(kFaultExitStatus);
+}
