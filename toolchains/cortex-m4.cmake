@@ -15,7 +15,7 @@ endif()
 string(CONCAT CMAKE_CXX_FLAGS_INIT
   "-mcpu=cortex-m4 -mthumb ${float_flags} -ffreestanding -fno-exceptions -fno-rtti "
   "-fno-threadsafe-statics -fno-unwind-tables -fno-asynchronous-unwind-tables "
-  "-ffunction-sections -fdata-sections")
+  "-ffunction-sections -fdata-sections -Wno-psabi")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-nostdlib -nostartfiles -Wl,--gc-sections")
 
 set(CMAKE_CROSSCOMPILING_EMULATOR "${CMAKE_CURRENT_LIST_DIR}/qemu-mps2.sh")

@@ -10,10 +10,10 @@ namespace {
 
 enum class Border { open, closed };
 
-/// Walks one level through the grid. With a closed border the grid is seen with one more ring of samples around it,
-/// all above any level.
+/// Walks one level through the grid. With a closed border the grid is seen with one more ring of samples
+/// around it, all above any level.
 class MarchingSquares {
-public:
+ public:
   MarchingSquares(const SampledGrid& grid, double level, Border border)
       : grid_(grid),
         level_(level),
@@ -38,18 +38,20 @@ public:
     return result;
   }
 
-private:
+ private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   double value(std::size_t column, std::size_t row) const {
-    const bool outside = column < margin_ || row < margin_ || column >= grid_.columns + margin_ ||
-                         row >= grid_.rows + margin_;
-    const double sample = outside ? std::numeric_limits<double>::infinity()
-                                  : grid_.value(column - margin_, row - margin_);
+    const bool outside =
+        column < margin_ || row < margin_ || column >= grid_.columns + margin_ || row >= grid_.rows + margin_;
+    const double sample =
+        outside ? std::numeric_limits<double>::infinity() : grid_.value(column - margin_, row - margin_);
     return unknown_is_above_ && !std::isfinite(sample) ? std::numeric_limits<double>::infinity() : sample;
   }
 
-  std::size_t horizontal_edge(std::size_t column, std::size_t row) const { return 2 * (row * columns_ + column); }
+  std::size_t horizontal_edge(std::size_t column, std::size_t row) const {
+    return 2 * (row * columns_ + column);
+  }
   std::size_t vertical_edge(std::size_t column, std::size_t row) const {
     return 2 * (row * columns_ + column) + 1;
   }
@@ -74,18 +76,42 @@ private:
     const double centre = 0.25 * corner[0] + 0.25 * corner[1] + 0.25 * corner[2] + 0.25 * corner[3];
     const bool joined = centre < level_;
     switch (below) {
-      case 0b0001: link(bottom, left); break;
-      case 0b0010: link(right, bottom); break;
-      case 0b0011: link(right, left); break;
-      case 0b0100: link(top, right); break;
-      case 0b0110: link(top, bottom); break;
-      case 0b0111: link(top, left); break;
-      case 0b1000: link(left, top); break;
-      case 0b1001: link(bottom, top); break;
-      case 0b1011: link(right, top); break;
-      case 0b1100: link(left, right); break;
-      case 0b1101: link(bottom, right); break;
-      case 0b1110: link(left, bottom); break;
+      case 0b0001:
+        link(bottom, left);
+        break;
+      case 0b0010:
+        link(right, bottom);
+        break;
+      case 0b0011:
+        link(right, left);
+        break;
+      case 0b0100:
+        link(top, right);
+        break;
+      case 0b0110:
+        link(top, bottom);
+        break;
+      case 0b0111:
+        link(top, left);
+        break;
+      case 0b1000:
+        link(left, top);
+        break;
+      case 0b1001:
+        link(bottom, top);
+        break;
+      case 0b1011:
+        link(right, top);
+        break;
+      case 0b1100:
+        link(left, right);
+        break;
+      case 0b1101:
+        link(bottom, right);
+        break;
+      case 0b1110:
+        link(left, bottom);
+        break;
       case 0b0101:
         link(bottom, joined ? right : left);
         link(top, joined ? left : right);
@@ -94,7 +120,8 @@ private:
         link(left, joined ? bottom : top);
         link(right, joined ? top : bottom);
         break;
-      default: break;
+      default:
+        break;
     }
   }
 
@@ -113,7 +140,8 @@ private:
     if (!std::isfinite(b)) return grid_position(column, row);
     const double t = (level_ - a) / (b - a);
     const Point from = grid_position(column, row);
-    return edge % 2 == 0 ? Point{from.x + t * grid_.step_x, from.y} : Point{from.x, from.y + t * grid_.step_y};
+    return edge % 2 == 0 ? Point{from.x + t * grid_.step_x, from.y}
+                         : Point{from.x, from.y + t * grid_.step_y};
   }
 
   static bool same(Point a, Point b) { return a.x == b.x && a.y == b.y; }

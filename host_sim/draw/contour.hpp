@@ -24,7 +24,8 @@ struct SampledGrid {
   }
 };
 
-/// Samples `field(x, y)` over the rectangle from `low` to `high` inclusive. At least two columns and two rows.
+/// Samples `field(x, y)` over the rectangle from `low` to `high` inclusive. At least two columns and two
+/// rows.
 template <typename Field>
 SampledGrid sample_grid(Point low, Point high, std::size_t columns, std::size_t rows, Field&& field) {
   SampledGrid grid;
@@ -44,16 +45,16 @@ SampledGrid sample_grid(Point low, Point high, std::size_t columns, std::size_t 
 }
 
 /// The lines where the field equals `level`: marching squares, linear along grid edges; where a cell could be
-/// joined two ways, the mean of its corners (the bilinear value at its centre) decides. A sample equal to `level`
-/// counts as above. Lower values lie on the left of the walk (y up). A line is closed unless it ends at the
-/// border or at a cell with an unknown corner. Open lines come first; each kind in the order in which the grid
-/// is scanned. Throws std::invalid_argument when the grid's sizes do not fit its values, a step is not positive or
-/// the level is not finite.
+/// joined two ways, the mean of its corners (the bilinear value at its centre) decides. A sample equal to
+/// `level` counts as above. Lower values lie on the left of the walk (y up). A line is closed unless it ends
+/// at the border or at a cell with an unknown corner. Open lines come first; each kind in the order in which
+/// the grid is scanned. Throws std::invalid_argument when the grid's sizes do not fit its values, a step is
+/// not positive or the level is not finite.
 std::vector<Polyline> contour_lines(const SampledGrid& grid, double level);
 
-/// The region where the field is below `level` as closed rings, to be filled by the even-odd rule. Along the border
-/// of the grid and around unknown samples, which count as above, the rings run through the samples. Errors as
-/// contour_lines.
+/// The region where the field is below `level` as closed rings, to be filled by the even-odd rule. Along the
+/// border of the grid and around unknown samples, which count as above, the rings run through the samples.
+/// Errors as contour_lines.
 std::vector<Polyline> filled_region(const SampledGrid& grid, double level);
 
 /// The region lower <= field < upper, as rings for the even-odd rule. Needs lower < upper.

@@ -9,7 +9,7 @@ namespace nearfield::host::draw {
 
 /// Keeps labels inside a frame, off one another and off what has been blocked. All lengths in pixels.
 class LabelPlacer {
-public:
+ public:
   explicit LabelPlacer(const Rectangle& frame) : frame_(frame) {}
 
   /// Keeps labels off a rectangle, or off all points within `radius` of a segment.
@@ -22,7 +22,7 @@ public:
   /// The first of the centres at which a label of this size is free; that place is then blocked.
   std::optional<Point> place(const std::vector<Point>& centres, double width, double height);
 
-private:
+ private:
   struct Stadium {
     Point a;
     Point b;

@@ -32,11 +32,16 @@ void draw_symbol(SvgDocument& document, const LegendEntry& entry, Point left_mid
   const Point right_middle{left_middle.x + symbol_width, left_middle.y};
   const Point centre{left_middle.x + symbol_width / 2.0, left_middle.y};
   switch (entry.symbol) {
-    case LegendSymbol::line: document.line(left_middle, right_middle, entry.style); break;
-    case LegendSymbol::patch:
-      document.rectangle({left_middle.x + 2.0, left_middle.y - 6.5, symbol_width - 4.0, 13.0}, entry.style, 2.0);
+    case LegendSymbol::line:
+      document.line(left_middle, right_middle, entry.style);
       break;
-    case LegendSymbol::dot: document.circle(centre, 3.5, entry.style); break;
+    case LegendSymbol::patch:
+      document.rectangle({left_middle.x + 2.0, left_middle.y - 6.5, symbol_width - 4.0, 13.0}, entry.style,
+                         2.0);
+      break;
+    case LegendSymbol::dot:
+      document.circle(centre, 3.5, entry.style);
+      break;
     case LegendSymbol::arrow:
       document.arrow(left_middle, right_middle, entry.style.stroke, entry.style.stroke_width);
       break;
@@ -54,7 +59,8 @@ double legend_height(const std::vector<LegendEntry>& entries, double width) {
   return entries.empty() ? 0.0 : entry_offsets(entries, width).back().y + row_height;
 }
 
-void draw_legend(SvgDocument& document, const std::vector<LegendEntry>& entries, Point top_left, double width) {
+void draw_legend(SvgDocument& document, const std::vector<LegendEntry>& entries, Point top_left,
+                 double width) {
   document.begin_group("legend");
   const std::vector<Point> offsets = entry_offsets(entries, width);
   for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -20,6 +20,7 @@ struct LegendEntry {
 double legend_height(const std::vector<LegendEntry>& entries, double width);
 
 /// Draws the entries from `top_left` on, left to right, in rows of the given width.
-void draw_legend(SvgDocument& document, const std::vector<LegendEntry>& entries, Point top_left, double width);
+void draw_legend(SvgDocument& document, const std::vector<LegendEntry>& entries, Point top_left,
+                 double width);
 
 }  // namespace nearfield::host::draw

@@ -12,7 +12,8 @@ std::string fixed_text(double value, int decimals) {
   }
   if (decimals < 0 || decimals > 9) throw std::invalid_argument("draw: decimals must be 0 to 9");
   char digits[40];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
   std::string text(digits, end);
   if (text[0] == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
   return text;

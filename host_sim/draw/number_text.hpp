@@ -4,8 +4,8 @@
 
 namespace nearfield::host::draw {
 
-/// `value` with exactly `decimals` (0..9) digits after the point, correctly rounded, without regard to locale and
-/// never "-0". Throws std::invalid_argument unless value is finite and its magnitude below 1e15.
+/// `value` with exactly `decimals` (0..9) digits after the point, correctly rounded, without regard to locale
+/// and never "-0". Throws std::invalid_argument unless value is finite and its magnitude below 1e15.
 std::string fixed_text(double value, int decimals);
 
 /// As fixed_text, without trailing zeros.

@@ -14,7 +14,7 @@ struct WorldWindow {
 
 /// Maps a window of the world onto the page, with the same scale along both axes and y turned over.
 class WorldToPage {
-public:
+ public:
   WorldToPage(const WorldWindow& window, Point top_left, double pixels_per_metre)
       : window_(window), top_left_(top_left), scale_(pixels_per_metre) {}
 
@@ -24,7 +24,8 @@ public:
   double pixels(double metres) const { return metres * scale_; }
   const WorldWindow& window() const { return window_; }
   Rectangle frame() const {
-    return {top_left_.x, top_left_.y, pixels(window_.right - window_.left), pixels(window_.top - window_.bottom)};
+    return {top_left_.x, top_left_.y, pixels(window_.right - window_.left),
+            pixels(window_.top - window_.bottom)};
   }
   Polyline operator()(const Polyline& world) const {
     Polyline page;
@@ -34,7 +35,7 @@ public:
     return page;
   }
 
-private:
+ private:
   WorldWindow window_;
   Point top_left_;
   double scale_;

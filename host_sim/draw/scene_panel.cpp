@@ -47,7 +47,7 @@ std::string mixed_colour(const std::string& from, const std::string& to, double 
 }
 
 class ScenePanel {
-public:
+ public:
   ScenePanel(SvgDocument& document, const ScenePicture& picture, ViewDirection direction,
              const WorldToPage& to_page)
       : document_(document),
@@ -61,7 +61,7 @@ public:
   void draw() {
     document_.begin_group(direction_ == ViewDirection::top ? "top-view" : "side-view");
     block_contents();
-    const double bar_width = place_scale_bar();
+    const Rectangle scale_bar = place_scale_bar();
     const std::optional<Point> clearance_label = place_clearance_label();
     document_.begin_clipped_group("scene", frame_);
     draw_field();
@@ -69,13 +69,13 @@ public:
     draw_bodies();
     draw_repulsion();
     draw_nearest(clearance_label);
-    draw_scale_bar(bar_width);
+    draw_scale_bar(scale_bar);
     document_.end_group();
     draw_frame();
     document_.end_group();
   }
 
-private:
+ private:
   struct Body {
     PictureCapsule capsule;
     bool is_arm = false;
@@ -100,9 +100,17 @@ private:
       labels_.block(page(picture_.nearest->on_robot), away_arrow_tip(), 7.0);
     }
     if (picture_.repulsion) labels_.block(page(picture_.repulsion->at), repulsion_tip(), 8.0);
+    if (!view_.field.values.empty()) {
+      for (const Polyline& line : on_page(contour_lines(view_.field, 0.0))) {
+        for (std::size_t i = 1; i < line.points.size(); ++i)
+          labels_.block(line.points[i - 1], line.points[i], 2.5);
+        if (line.closed) labels_.block(line.points.back(), line.points.front(), 2.5);
+      }
+    }
   }
 
-  // -- field --------------------------------------------------------------------------------------------------
+  // -- field
+  // --------------------------------------------------------------------------------------------------
 
   void draw_field() {
     if (view_.field.values.empty()) return;
@@ -138,7 +146,7 @@ private:
     TextStyle style;
     style.size = contour_label_size;
     style.fill = palette::quiet_ink;
-    style.halo = 2.5;
+    style.halo = 2.0;
     const std::string text = short_text(level, 3) + " m";
     const double width = text_width(text, style);
     double least_cost = 1e30;
@@ -188,13 +196,15 @@ private:
       const Point delta{source[i].x - a.x, source[i].y - a.y};
       const double length = length_of(delta);
       double at = until_next;
-      for (; at < length; at += step) points.push_back({a.x + delta.x * (at / length), a.y + delta.y * (at / length)});
+      for (; at < length; at += step)
+        points.push_back({a.x + delta.x * (at / length), a.y + delta.y * (at / length)});
       until_next = at - length;
     }
     return points;
   }
 
-  // -- things in the scene ------------------------------------------------------------------------------------
+  // -- things in the scene
+  // ------------------------------------------------------------------------------------
 
   void draw_tool_path() {
     Polyline path;
@@ -214,12 +224,14 @@ private:
   void draw_bodies() {
     std::vector<Body> bodies;
     for (const PictureCapsule& c : picture_.arm) bodies.push_back({c, true, depth(c.start) + depth(c.end)});
-    for (const PictureCapsule& c : picture_.person) bodies.push_back({c, false, depth(c.start) + depth(c.end)});
+    for (const PictureCapsule& c : picture_.person)
+      bodies.push_back({c, false, depth(c.start) + depth(c.end)});
     std::stable_sort(bodies.begin(), bodies.end(),
                      [](const Body& a, const Body& b) { return a.depth < b.depth; });
     document_.begin_group("bodies");
     for (const Body& body : bodies) {
-      document_.stadium(page(body.capsule.start), page(body.capsule.end), to_page_.pixels(body.capsule.radius),
+      document_.stadium(page(body.capsule.start), page(body.capsule.end),
+                        to_page_.pixels(body.capsule.radius),
                         body.is_arm ? scene_style::arm() : scene_style::person());
     }
     for (const Vec3& joint : picture_.joints) document_.circle(page(joint), 3.4, scene_style::joint());
@@ -269,11 +281,11 @@ private:
     const Point b = page(picture_.nearest->on_other);
     const Point middle{(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
     const double width = text_width(length_text(picture_.nearest->clearance), clearance_style()) + 4.0;
-    const double height = clearance_label_size + 4.0;
+    const double height = clearance_label_size + 10.0;
     // Sixteen directions on the border of growing rectangles around the middle of the pair.
-    static constexpr Point directions[] = {{1, 0},   {-1, 0},  {0, -1},   {0, 1},    {1, -1},   {-1, -1},
-                                           {1, 1},   {-1, 1},  {1, -0.5}, {-1, -0.5}, {1, 0.5},  {-1, 0.5},
-                                           {0.5, -1}, {-0.5, -1}, {0.5, 1}, {-0.5, 1}};
+    static constexpr Point directions[] = {{1, 0},    {-1, 0},    {0, -1},   {0, 1},     {1, -1},  {-1, -1},
+                                           {1, 1},    {-1, 1},    {1, -0.5}, {-1, -0.5}, {1, 0.5}, {-1, 0.5},
+                                           {0.5, -1}, {-0.5, -1}, {0.5, 1},  {-0.5, 1}};
     std::vector<Point> centres;
     for (double reach = 8.0; reach < 160.0; reach += 6.0) {
       for (const Point& d : directions) {
@@ -307,7 +319,8 @@ private:
   void draw_leader(Point middle, Point label) {
     const Point delta{label.x - middle.x, label.y - middle.y};
     if (length_of(delta) < 62.0) return;
-    const double half_width = text_width(length_text(picture_.nearest->clearance), clearance_style()) / 2.0 + 2.0;
+    const double half_width =
+        text_width(length_text(picture_.nearest->clearance), clearance_style()) / 2.0 + 2.0;
     const double half_height = clearance_label_size / 2.0 + 1.0;
     const double share = std::min(std::fabs(delta.x) > 0.0 ? half_width / std::fabs(delta.x) : 1.0,
                                   std::fabs(delta.y) > 0.0 ? half_height / std::fabs(delta.y) : 1.0);
@@ -315,9 +328,8 @@ private:
                    stroked(palette::nearest, 1.0));
   }
 
-  // -- frame, axes, scale -------------------------------------------------------------------------------------
-
-  Point scale_bar_left() const { return {frame_.right() - 16.0, frame_.top + 30.0}; }
+  // -- frame, axes, scale
+  // -------------------------------------------------------------------------------------
 
   double scale_bar_metres() const {
     double metres = 0.001;
@@ -327,18 +339,28 @@ private:
     return metres;
   }
 
-  double place_scale_bar() {
-    const double width = to_page_.pixels(scale_bar_metres());
-    const Point right = scale_bar_left();
-    labels_.block(Rectangle{right.x - width - 8.0, right.y - 26.0, width + 16.0, 36.0});
-    return width;
+  /// Room for the scale bar in the first free corner, or in the upper right one when all are taken.
+  Rectangle place_scale_bar() {
+    const double width = to_page_.pixels(scale_bar_metres()) + 16.0;
+    const double height = 34.0;
+    const double left = frame_.left + 8.0;
+    const double right = frame_.right() - 8.0 - width;
+    const double top = frame_.top + 8.0;
+    const double bottom = frame_.bottom() - 8.0 - height;
+    for (const Point corner : {Point{right, top}, {left, top}, {right, bottom}, {left, bottom}}) {
+      const Rectangle area{corner.x, corner.y, width, height};
+      if (!labels_.is_free(area)) continue;
+      labels_.block(area);
+      return area;
+    }
+    return {right, top, width, height};
   }
 
-  void draw_scale_bar(double width) {
-    const Point right = scale_bar_left();
-    const Point left{right.x - width, right.y};
+  void draw_scale_bar(const Rectangle& area) {
+    const Point left{area.left + 8.0, area.bottom() - 9.0};
+    const Point right{area.right() - 8.0, left.y};
     document_.begin_group("scale-bar");
-    document_.rectangle({left.x - 8.0, left.y - 22.0, width + 16.0, 32.0}, filled(palette::paper, 0.85), 3.0);
+    document_.rectangle(area, filled(palette::paper, 0.85), 3.0);
     document_.path({Polyline{{{left.x, left.y - 5.0}, left, right, {right.x, right.y - 5.0}}, false}},
                    stroked(palette::ink, 1.6));
     TextStyle style;

@@ -19,15 +19,16 @@ constexpr double line_height = 20.0;
 
 void check(const ScenePicture& picture) {
   for (const WorldWindow& w : {picture.top.window, picture.side.window}) {
-    const bool finite = std::isfinite(w.left) && std::isfinite(w.right) && std::isfinite(w.bottom) &&
-                        std::isfinite(w.top);
+    const bool finite =
+        std::isfinite(w.left) && std::isfinite(w.right) && std::isfinite(w.bottom) && std::isfinite(w.top);
     if (!finite || !(w.left < w.right) || !(w.bottom < w.top)) {
       throw std::invalid_argument("draw: the window of a view must be finite and not empty");
     }
   }
   if (!std::isfinite(picture.contour_spacing) || !(picture.contour_spacing > 0.0) ||
       picture.contour_count > 40 || picture.labelled_every < 1) {
-    throw std::invalid_argument("draw: contours need a spacing above zero, at most 40 lines, labels every 1 or more");
+    throw std::invalid_argument(
+        "draw: contours need a spacing above zero, at most 40 lines, labels every 1 or more");
   }
 }
 
@@ -132,7 +133,8 @@ std::string scene_picture_svg(const ScenePicture& picture) {
   draw_legend(document, entries, {border, legend_top}, text_width_available);
   document.begin_group("caption");
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    document.text({border, caption_top + 15.0 + line_height * static_cast<double>(i)}, lines[i], caption_style);
+    document.text({border, caption_top + 15.0 + line_height * static_cast<double>(i)}, lines[i],
+                  caption_style);
   }
   document.end_group();
   return document.finish();

@@ -27,7 +27,8 @@ struct NearestPair {
   Vec3 on_robot{};
   Vec3 on_other{};
   double clearance = 0.0;
-  Vec3 away{};  ///< direction in which the robot's point gets clear, any length; zero: from on_other to on_robot
+  Vec3 away{};  ///< direction in which the robot's point gets clear, any length; zero: from on_other to
+                ///< on_robot
 };
 
 /// An arrow from `at` to `at + vector`, metres.
@@ -36,8 +37,8 @@ struct RepulsionArrow {
   Vec3 vector{};
 };
 
-/// What one panel shows of the field: its values (metres, negative inside) on the cutting plane, over the panel's
-/// own two axes, and the part of the plane to show. Without samples the panel has no field.
+/// What one panel shows of the field: its values (metres, negative inside) on the cutting plane, over the
+/// panel's own two axes, and the part of the plane to show. Without samples the panel has no field.
 struct SceneView {
   std::string title;
   WorldWindow window;
@@ -76,8 +77,8 @@ struct ScenePicture {
   std::string id_prefix = "scene";  ///< letters and digits, different for each picture of a page
 };
 
-/// The picture as an SVG document 1000 pixels wide. Throws std::invalid_argument when a window is empty, a number
-/// is not finite (samples of a field may be) or a setting is out of its range.
+/// The picture as an SVG document 1000 pixels wide. Throws std::invalid_argument when a window is empty, a
+/// number is not finite (samples of a field may be) or a setting is out of its range.
 std::string scene_picture_svg(const ScenePicture& picture);
 
 }  // namespace nearfield::host::draw

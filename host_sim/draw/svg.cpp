@@ -78,24 +78,35 @@ std::string escaped(const std::string& text) {
   std::string safe;
   for (const char32_t c : code_points(text)) {
     switch (c) {
-      case U'&': safe += "&amp;"; break;
-      case U'<': safe += "&lt;"; break;
-      case U'>': safe += "&gt;"; break;
-      case U'"': safe += "&quot;"; break;
-      case U'\'': safe += "&#39;"; break;
-      default: append_utf8(safe, c);
+      case U'&':
+        safe += "&amp;";
+        break;
+      case U'<':
+        safe += "&lt;";
+        break;
+      case U'>':
+        safe += "&gt;";
+        break;
+      case U'"':
+        safe += "&quot;";
+        break;
+      case U'\'':
+        safe += "&#39;";
+        break;
+      default:
+        append_utf8(safe, c);
     }
   }
   return safe;
 }
 
-SvgDocument::SvgDocument(double width, double height, const std::string& title, const std::string& description,
-                         std::string id_prefix)
+SvgDocument::SvgDocument(double width, double height, const std::string& title,
+                         const std::string& description, std::string id_prefix)
     : id_prefix_(std::move(id_prefix)) {
   const std::string w = coordinate(width);
   const std::string h = coordinate(height);
-  head_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
-          "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h + "\" role=\"img\" font-family=\"" +
+  head_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+          w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h + "\" role=\"img\" font-family=\"" +
           escaped(font::family) + "\" stroke-linejoin=\"round\" stroke-linecap=\"butt\">\n<title>" +
           escaped(title) + "</title>\n<desc>" + escaped(description) + "</desc>\n";
   rectangle({0.0, 0.0, width, height}, filled(palette::paper));
@@ -173,8 +184,8 @@ void SvgDocument::stadium(Point a, Point b, double radius, const ShapeStyle& sty
   if (!(length >= 0.01)) return circle(a, radius, style);
   const Point side{-dy / length * radius, dx / length * radius};
   const std::string arc = 'A' + coordinate(radius) + ' ' + coordinate(radius) + " 0 0 0 ";
-  body_ += "<path d=\"M" + pair({a.x + side.x, a.y + side.y}) + 'L' + pair({b.x + side.x, b.y + side.y}) + arc +
-           pair({b.x - side.x, b.y - side.y}) + 'L' + pair({a.x - side.x, a.y - side.y}) + arc +
+  body_ += "<path d=\"M" + pair({a.x + side.x, a.y + side.y}) + 'L' + pair({b.x + side.x, b.y + side.y}) +
+           arc + pair({b.x - side.x, b.y - side.y}) + 'L' + pair({a.x - side.x, a.y - side.y}) + arc +
            pair({a.x + side.x, a.y + side.y}) + "Z\"";
   write_style(style);
   body_ += "/>\n";
@@ -202,15 +213,16 @@ void SvgDocument::text(Point position, const std::string& content, const TextSty
   write_text(" x=\"" + coordinate(position.x) + "\" y=\"" + coordinate(position.y) + '"', content, style);
 }
 
-void SvgDocument::text_along(Point centre, Point direction, const std::string& content, const TextStyle& style) {
+void SvgDocument::text_along(Point centre, Point direction, const std::string& content,
+                             const TextStyle& style) {
   const double length = std::sqrt(direction.x * direction.x + direction.y * direction.y);
   const double c = direction.x / length;
   const double s = direction.y / length;
   const double drop = 0.36 * style.size;
   TextStyle centred = style;
   centred.anchor = TextAnchor::middle;
-  write_text(" transform=\"matrix(" + short_text(c, 5) + ' ' + short_text(s, 5) + ' ' + short_text(-s, 5) + ' ' +
-                 short_text(c, 5) + ' ' + pair({centre.x - s * drop, centre.y + c * drop}) + ")\"",
+  write_text(" transform=\"matrix(" + short_text(c, 5) + ' ' + short_text(s, 5) + ' ' + short_text(-s, 5) +
+                 ' ' + short_text(c, 5) + ' ' + pair({centre.x - s * drop, centre.y + c * drop}) + ")\"",
              content, centred);
 }
 
@@ -240,7 +252,8 @@ void SvgDocument::write_style(const ShapeStyle& style) {
   write_attribute("stroke-dasharray", dashes);
 }
 
-void SvgDocument::write_text(const std::string& placement, const std::string& content, const TextStyle& style) {
+void SvgDocument::write_text(const std::string& placement, const std::string& content,
+                             const TextStyle& style) {
   body_ += "<text" + placement;
   write_attribute("font-size", style.size);
   write_attribute("fill", style.fill);
@@ -249,7 +262,7 @@ void SvgDocument::write_text(const std::string& placement, const std::string& co
   if (style.anchor == TextAnchor::end) body_ += " text-anchor=\"end\"";
   if (style.halo > 0.0) {
     body_ += " paint-order=\"stroke\"";
-    write_attribute("stroke", palette::paper);
+    write_attribute("stroke", style.halo_fill);
     write_attribute("stroke-width", 2.0 * style.halo);
   }
   body_ += '>' + escaped(content) + "</text>\n";

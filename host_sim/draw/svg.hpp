@@ -30,7 +30,8 @@ struct TextStyle {
   std::string fill = palette::ink;
   TextAnchor anchor = TextAnchor::start;
   bool bold = false;
-  double halo = 0.0;  ///< width of the paper-coloured rim that lifts text off lines beneath it, pixels
+  double halo = 0.0;  ///< width of the rim that lifts text off lines beneath it, pixels
+  std::string halo_fill = palette::paper;
 };
 
 /// Width of a line of UTF-8 text in pixels, estimated on the generous side for the fonts of `font::family`.
@@ -44,9 +45,10 @@ std::vector<std::string> wrapped(const std::string& text, const TextStyle& style
 std::string escaped(const std::string& text);
 
 /// An SVG document, written front to back: what is added later covers what was added before. Pixels, y down,
-/// two decimals. The same calls give the same bytes. Coordinates that are not finite throw std::invalid_argument.
+/// two decimals. The same calls give the same bytes. Coordinates that are not finite throw
+/// std::invalid_argument.
 class SvgDocument {
-public:
+ public:
   /// `title` and `description` are what a screen reader says. `id_prefix` (letters and digits) keeps the
   /// identifiers of several documents inside one HTML page apart.
   SvgDocument(double width, double height, const std::string& title, const std::string& description,
@@ -77,7 +79,7 @@ public:
   /// The whole document. Throws std::logic_error while a group is open.
   std::string finish() const;
 
-private:
+ private:
   void write_attribute(const char* name, double value);
   void write_attribute(const char* name, const std::string& value);
   void write_style(const ShapeStyle& style);

@@ -4,8 +4,8 @@
 
 namespace nearfield::host::draw {
 
-/// The code points of UTF-8 text. What is not valid UTF-8 (truncated, overlong, surrogates) or not allowed in XML
-/// (control characters, U+FFFE, U+FFFF) becomes U+FFFD, one for each byte or character.
+/// The code points of UTF-8 text. What is not valid UTF-8 (truncated, overlong, surrogates) or not allowed in
+/// XML (control characters, U+FFFE, U+FFFF) becomes U+FFFD, one for each byte or character.
 std::u32string code_points(const std::string& utf8);
 
 /// Appends one code point as UTF-8.

@@ -45,7 +45,7 @@ void check(const Timeline& timeline) {
 }
 
 class TimelineChart {
-public:
+ public:
   explicit TimelineChart(const Timeline& timeline)
       : timeline_(timeline), first_(timeline.times.front()), last_(timeline.times.back()) {
     const double legend_top = timeline.title.empty() ? 10.0 : 44.0;
@@ -73,11 +73,14 @@ public:
     draw_zones(document);
     draw_override(document);
     draw_markers(document);
+    draw_zone_names(document);
     return document.finish();
   }
 
-private:
-  static Rectangle panel(double top, double height) { return {plot_left, top, plot_right - plot_left, height}; }
+ private:
+  static Rectangle panel(double top, double height) {
+    return {plot_left, top, plot_right - plot_left, height};
+  }
 
   std::vector<LegendEntry> legend_entries() const {
     std::vector<LegendEntry> entries;
@@ -148,7 +151,8 @@ private:
       const double y = area.bottom() - (tick.value - low) / (high - low) * area.height;
       document.line({plot_left, y}, {plot_right, y}, stroked(palette::grid_line, 1.0));
       document.line({plot_left - 5.0, y}, {plot_left, y}, stroked(palette::frame, 1.0));
-      document.text({plot_left - 9.0, y + 0.36 * font::small}, tick.text, label(font::small, TextAnchor::end));
+      document.text({plot_left - 9.0, y + 0.36 * font::small}, tick.text,
+                    label(font::small, TextAnchor::end));
     }
   }
 
@@ -156,7 +160,8 @@ private:
   template <typename ToPage>
   std::vector<Polyline> series(const std::vector<double>& values, ToPage&& to_page) const {
     const std::size_t pixels = static_cast<std::size_t>(plot_right - plot_left);
-    const std::size_t buckets = std::min(pixels, greatest_point_count / (4 * (timeline_.curves.size() + 1)) + 1);
+    const std::size_t buckets =
+        std::min(pixels, greatest_point_count / (4 * (timeline_.curves.size() + 1)) + 1);
     std::vector<Polyline> lines(1);
     std::size_t previous = 0;
     for (const std::size_t i : decimated(timeline_.times, values, buckets)) {
@@ -191,8 +196,8 @@ private:
     for (std::size_t i = 0; i < timeline_.curves.size(); ++i) {
       document.path(series(timeline_.curves[i].clearances,
                            [this](double time, double value) {
-                             const double shown = std::clamp(value, clearance_bottom_ - clearance_top_,
-                                                             2.0 * clearance_top_);
+                             const double shown =
+                                 std::clamp(value, clearance_bottom_ - clearance_top_, 2.0 * clearance_top_);
                              return Point{x_of(time), y_of_clearance(shown)};
                            }),
                     curve_style(i));
@@ -217,14 +222,16 @@ private:
     const std::vector<double> placed =
         spread_apart(wanted, 16.0, clearance_panel_.top + 6.0, clearance_panel_.bottom() - 4.0);
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      document.line({plot_left, wanted[i]}, {plot_right, wanted[i]}, stroked(palette::quiet_ink, 1.3, {6.0, 4.0}));
+      document.line({plot_left, wanted[i]}, {plot_right, wanted[i]},
+                    stroked(palette::quiet_ink, 1.3, {6.0, 4.0}));
       document.line({plot_right, wanted[i]}, {plot_right + 8.0, placed[i]}, stroked(palette::quiet_ink, 1.0));
       document.text({plot_right + 12.0, placed[i] + 0.36 * font::small},
-                    shown[i].name + " " + length_text(shown[i].clearance), label(font::small, TextAnchor::start));
+                    shown[i].name + " " + short_text(shown[i].clearance, 3) + " m",
+                    label(font::small, TextAnchor::start));
     }
   }
 
-  void draw_zones(SvgDocument& document) const {
+  void draw_zones(SvgDocument& document) {
     document.begin_group("zones");
     draw_panel_name(document, zone_panel_, "zone");
     const std::size_t buckets = static_cast<std::size_t>(plot_right - plot_left);
@@ -232,22 +239,30 @@ private:
     for (std::size_t i = 0; i < timeline_.times.size(); ++i) {
       const std::size_t from = bucket_of(timeline_.times[i], first_, last_, buckets);
       const bool is_last = i + 1 == timeline_.times.size();
-      const std::size_t to = is_last ? buckets - 1 : bucket_of(timeline_.times[i + 1], first_, last_, buckets);
+      const std::size_t to =
+          is_last ? buckets - 1 : bucket_of(timeline_.times[i + 1], first_, last_, buckets);
       for (std::size_t column = from; column <= to; ++column) {
         const bool shared = column == to && to > from && !is_last;
         if (!shared) columns[column] = std::max(columns[column], timeline_.zones[i]);
       }
     }
     for (const Zone zone : every_zone) draw_zone_runs(document, columns, zone);
+    draw_zone_key(document);
     document.rectangle(zone_panel_, stroked(palette::frame, 1.0));
     document.end_group();
   }
 
-  void draw_zone_runs(SvgDocument& document, const std::vector<Zone>& columns, Zone zone) const {
+  static TextStyle zone_name_style(Zone zone) {
+    TextStyle style = label(font::small, TextAnchor::middle);
+    style.bold = zone == Zone::stop;
+    style.halo = 2.5;
+    style.halo_fill = palette::zone_fill(zone);
+    return style;
+  }
+
+  void draw_zone_runs(SvgDocument& document, const std::vector<Zone>& columns, Zone zone) {
     std::vector<Polyline> areas;
-    std::vector<double> name_positions;
-    TextStyle name = label(font::small, TextAnchor::middle);
-    name.bold = zone == Zone::stop;
+    const double name_width = text_width(zone_name(zone), zone_name_style(zone)) + 4.0;
     for (std::size_t from = 0, to = 0; from < columns.size(); from = to) {
       while (to < columns.size() && columns[to] == columns[from]) ++to;
       if (columns[from] != zone) continue;
@@ -258,16 +273,50 @@ private:
                         {right, zone_panel_.bottom()},
                         {left, zone_panel_.bottom()}},
                        true});
-      if (right - left > text_width(zone_name(zone), name) + 6.0) name_positions.push_back((left + right) / 2.0);
+      const Point room = widest_between_markers(left, right);
+      if (room.y - room.x > name_width) {
+        zone_names_.push_back({(room.x + room.y) / 2.0, zone});
+      } else if (right - left > name_width) {
+        zone_names_.push_back({(left + right) / 2.0, zone});
+      }
     }
     document.path(areas, filled(palette::zone_fill(zone)));
-    for (const double x : name_positions) {
-      document.text({x, zone_panel_.top + zone_height / 2.0 + 0.36 * font::small}, zone_name(zone), name);
+  }
+
+  void draw_zone_key(SvgDocument& document) const {
+    double chip_top = zone_panel_.top - 9.0;
+    for (const Zone zone : every_zone) {
+      document.rectangle({plot_right + 12.0, chip_top, 16.0, 13.0},
+                         filled_and_stroked(palette::zone_fill(zone), palette::frame, 0.8), 2.0);
+      document.text({plot_right + 34.0, chip_top + 11.0}, zone_name(zone),
+                    label(font::small, TextAnchor::start));
+      chip_top += 18.0;
     }
-    const double chip_top = zone_panel_.top - 9.0 + 18.0 * static_cast<double>(zone);
-    document.rectangle({plot_right + 12.0, chip_top, 16.0, 13.0},
-                       filled_and_stroked(palette::zone_fill(zone), palette::frame, 0.8), 2.0);
-    document.text({plot_right + 34.0, chip_top + 11.0}, zone_name(zone), label(font::small, TextAnchor::start));
+  }
+
+  /// Names stand above the markers' lines, off them where there is room.
+  void draw_zone_names(SvgDocument& document) const {
+    document.begin_group("zone-names");
+    for (const ZoneName& name : zone_names_) {
+      document.text({name.centre, zone_panel_.top + zone_height / 2.0 + 0.36 * font::small},
+                    zone_name(name.zone), zone_name_style(name.zone));
+    }
+    document.end_group();
+  }
+
+  /// The widest stretch (from x to y) of [left, right] without a marker's line.
+  Point widest_between_markers(double left, double right) const {
+    std::vector<double> cuts{left, right};
+    for (const TimelineMarker& marker : timeline_.markers) {
+      const double x = x_of(marker.time);
+      if (x > left && x < right) cuts.push_back(x);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    Point widest{left, left};
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      if (cuts[i] - cuts[i - 1] > widest.y - widest.x + 1e-9) widest = {cuts[i - 1], cuts[i]};
+    }
+    return widest;
   }
 
   void draw_override(SvgDocument& document) const {
@@ -275,7 +324,8 @@ private:
     draw_panel_name(document, override_panel_, "override");
     draw_value_axis(document, override_panel_, 0.0, 1.0, 3);
     std::vector<Polyline> lines = series(timeline_.speed_override, [this](double time, double value) {
-      return Point{x_of(time), override_panel_.bottom() - std::clamp(value, 0.0, 1.0) * override_panel_.height};
+      return Point{x_of(time),
+                   override_panel_.bottom() - std::clamp(value, 0.0, 1.0) * override_panel_.height};
     });
     for (const Polyline& line : lines) {
       if (line.points.empty()) continue;
@@ -318,6 +368,11 @@ private:
     document.end_group();
   }
 
+  struct ZoneName {
+    double centre;
+    Zone zone;
+  };
+
   const Timeline& timeline_;
   double first_;
   double last_;
@@ -329,6 +384,7 @@ private:
   Rectangle override_panel_;
   double clearance_bottom_ = 0.0;
   double clearance_top_ = 1.0;
+  std::vector<ZoneName> zone_names_;
 };
 
 }  // namespace

@@ -38,10 +38,10 @@ struct Timeline {
   std::string id_prefix = "timeline";   ///< letters and digits, different for each picture of a page
 };
 
-/// The chart as an SVG document 1000 pixels wide. Series of any length are reduced to what the page can show: every
-/// minimum, every maximum and, of zones that share a pixel, the more severe one. Below 300 kB for up to six curves.
-/// Throws std::invalid_argument when the series differ in length, there are fewer than two samples or times do not
-/// ascend.
+/// The chart as an SVG document 1000 pixels wide. Series of any length are reduced to what the page can show:
+/// every minimum, every maximum and, of zones that share a pixel, the more severe one. Below 300 kB for up to
+/// six curves. Throws std::invalid_argument when the series differ in length, there are fewer than two
+/// samples or times do not ascend.
 std::string timeline_svg(const Timeline& timeline);
 
 }  // namespace nearfield::host::draw

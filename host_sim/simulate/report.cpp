@@ -42,38 +42,32 @@ std::size_t least_tick(const SimulationResult& result, Nearest which) {
                                   result.ticks.begin());
 }
 
-std::size_t first_in_zone(const SimulationResult& result, Zone zone, std::size_t from) {
-  std::size_t tick = from;
-  while (tick < result.ticks.size() && result.ticks[tick].decided.zone != zone) ++tick;
-  return tick;
-}
-
 std::string body_name(const CompiledRobot<Q>& robot, std::uint16_t body) {
   return body < robot.bodies.size() ? robot.link_names[robot.bodies[body].link] : "-";
 }
 
 }  // namespace
 
-std::vector<TellingMoment> telling_moments(const SimulationResult& result) {
+std::vector<TellingMoment> telling_moments(const CompiledWorkCell& cell, const SimulationResult& result) {
   const std::size_t count = result.ticks.size();
-  const auto person_limits = [&result](std::size_t tick) {
-    const ArmTick<Q>& d = result.ticks[tick].decided;
-    return d.person.clearance.distance < d.cell.clearance.distance || d.zone == Zone::stop;
+  const auto first = [&result, count](std::size_t from, auto&& holds) {
+    std::size_t tick = from;
+    while (tick < count && !holds(result.ticks[tick].decided)) ++tick;
+    return tick;
   };
-  std::size_t slow = first_in_zone(result, Zone::slow, 0);
-  while (slow < count && !person_limits(slow)) slow = first_in_zone(result, Zone::slow, slow + 1);
-  const std::size_t stop = first_in_zone(result, Zone::stop, slow);
-  std::size_t last_stop = stop;
-  for (std::size_t tick = stop; tick < count; ++tick) {
-    if (result.ticks[tick].decided.zone == Zone::stop) last_stop = tick;
-  }
+  const auto below = [](Q limit) {
+    return [limit](const ArmTick<Q>& d) { return d.person.clearance.distance < limit; };
+  };
+  const std::size_t slow = first(0, below(cell.settings.person_free));
+  const std::size_t stop = first(slow, [](const ArmTick<Q>& d) { return d.zone == Zone::stop; });
+  const std::size_t again = first(stop, [](const ArmTick<Q>& d) { return d.zone == Zone::free; });
   std::vector<TellingMoment> found = {
       {0, "", "The arm starts its cycle"},
-      {slow, "", "The arm slows down"},
+      {slow, "", "The arm slows down for the person"},
       {stop, "", "The arm stops"},
       {least_tick(result, &ArmTick<Q>::person), "", "Least clearance to the person"},
       {least_tick(result, &ArmTick<Q>::cell), "", "Least clearance to the cell"},
-      {first_in_zone(result, Zone::free, last_stop), "", "The arm runs freely again"}};
+      {again, "", "The arm runs freely again"}};
   std::vector<TellingMoment> moments;
   std::stable_sort(found.begin(), found.end(), [](const TellingMoment& a, const TellingMoment& b) { return a.tick < b.tick; });
   for (TellingMoment& moment : found) {

@@ -17,7 +17,7 @@ struct TellingMoment {
 
 // At most six, in order of time: the start, where the arm first slows and stops for the person, the least clearance
 // to the person and to the cell, and where the arm runs freely again.
-std::vector<TellingMoment> telling_moments(const SimulationResult& result);
+std::vector<TellingMoment> telling_moments(const CompiledWorkCell& cell, const SimulationResult& result);
 
 // One line per tick, a header line first; metres, seconds, radians. Formatted without locale, the same everywhere.
 std::string trace_csv(const CompiledWorkCell& cell, const SimulationResult& result);

@@ -9,8 +9,9 @@
 
 namespace nearfield::host::draw::sample {
 
-/// A made-up cell for the tests of pictures: a table of 1.6 m by 1.2 m with a pillar on it, blended; a six-axis arm
-/// on a pedestal and a person beside the table. Only +, -, *, / and sqrt, so every compiler gives the same numbers.
+/// A made-up cell for the tests of pictures: a table of 1.6 m by 1.2 m with a pillar on it, blended; a
+/// six-axis arm on a pedestal and a person beside the table. Only +, -, *, / and sqrt, so every compiler
+/// gives the same numbers.
 
 inline double box_distance(const Vec3& p, const Vec3& centre, const Vec3& half) {
   double outside = 0.0;
@@ -63,25 +64,29 @@ inline ScenePicture picture() {
   scene.note = "The arm has begun to lift off the pillar.";
   scene.top.title = "Top view, cut at z = 0.30 m";
   scene.top.window = {-0.65, 2.0, -1.0, 1.0};
-  scene.top.field = sample_grid({-0.65, -1.0}, {2.0, 1.0}, 160, 121,
-                                [](double x, double y) { return cell_distance({x, y, 0.30}); });
+  scene.top.field = sample_grid({-0.65, -1.0}, {2.0, 1.0}, 160, 121, [](double x, double y) {
+    return cell_distance({x, y, 0.30});
+  });
   scene.side.title = "Side view, cut at y = 0.35 m";
-  scene.side.window = {-0.65, 2.0, -0.2, 1.85};
-  scene.side.field = sample_grid({-0.65, -0.2}, {2.0, 1.85}, 160, 124,
-                                 [](double x, double z) { return cell_distance({x, 0.35, z}); });
+  scene.side.window = {-0.65, 2.0, -0.15, 1.85};
+  scene.side.field = sample_grid({-0.65, -0.15}, {2.0, 1.85}, 160, 121, [](double x, double z) {
+    return cell_distance({x, 0.35, z});
+  });
   scene.contour_spacing = 0.05;
   scene.contour_count = 8;
 
-  const std::vector<Vec3> joints = {{0.0, 0.0, 0.02},  {0.0, 0.0, 0.30},   {0.22, 0.10, 0.66},
+  const std::vector<Vec3> joints = {{0.0, 0.0, 0.02},   {0.0, 0.0, 0.30},    {0.22, 0.10, 0.66},
                                     {0.52, 0.22, 0.52}, {0.60, 0.255, 0.40}, {0.655, 0.20, 0.30}};
   const double radii[] = {0.085, 0.07, 0.055, 0.05, 0.04};
-  for (std::size_t i = 0; i + 1 < joints.size(); ++i) scene.arm.push_back({joints[i], joints[i + 1], radii[i]});
+  for (std::size_t i = 0; i + 1 < joints.size(); ++i)
+    scene.arm.push_back({joints[i], joints[i + 1], radii[i]});
   scene.arm.push_back({joints.back(), joints.back(), 0.045});
   scene.joints = joints;
 
-  scene.person = {{{1.5, -0.1, 0.08}, {1.5, -0.1, 0.85}, 0.08},   {{1.52, 0.12, 0.08}, {1.5, 0.12, 0.85}, 0.08},
-                  {{1.5, 0.01, 0.95}, {1.5, 0.01, 1.35}, 0.16},   {{1.48, 0.01, 1.62}, {1.48, 0.01, 1.66}, 0.11},
-                  {{1.48, -0.2, 1.35}, {1.2, -0.22, 1.12}, 0.05}, {{1.48, 0.22, 1.35}, {1.08, 0.2, 0.98}, 0.05}};
+  scene.person = {
+      {{1.5, -0.1, 0.08}, {1.5, -0.1, 0.85}, 0.08},   {{1.52, 0.12, 0.08}, {1.5, 0.12, 0.85}, 0.08},
+      {{1.5, 0.01, 0.95}, {1.5, 0.01, 1.35}, 0.16},   {{1.48, 0.01, 1.62}, {1.48, 0.01, 1.66}, 0.11},
+      {{1.48, -0.2, 1.35}, {1.2, -0.22, 1.12}, 0.05}, {{1.48, 0.22, 1.35}, {1.08, 0.2, 0.98}, 0.05}};
   scene.nearest = NearestPair{{0.66, 0.22, 0.345}, {0.72, 0.28, 0.345}, 0.0858, {-0.7, -0.7, 0.15}};
   scene.repulsion = RepulsionArrow{{0.655, 0.20, 0.30}, {-0.10, -0.18, 0.22}};
   for (int i = 0; i <= 3000; ++i) {

@@ -88,14 +88,6 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   static constexpr void keep_nearer(NearestBodies<S>& least, const Clearance<S>& candidate, uint16_t body, uint16_t other) {
     if (least.body == kNoBody || &nearer(least.clearance, candidate) == &candidate) least = {candidate, body, other};
   }
-  static constexpr Clearance<S> clearance_of(const SeparatedBy<S>& apart, S error) {
-    Clearance<S> c;
-    c.distance = apart.distance - error;
-    c.direction = apart.direction;
-    c.status = c.distance > S{} ? ClearanceStatus::clear
-               : apart.distance + error <= S{} ? ClearanceStatus::touching : ClearanceStatus::undecided;
-    return c;
-  }
   static constexpr Clearance<S> nothing_there() {
     return {ClearanceStatus::clear, ScalarTraits<S>::greatest(), {}};
   }
@@ -113,7 +105,7 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
     for (uint16_t j = 0; j < person->body_count(); ++j) {
       const Capsule<S> limb = person->placed_body(j, person_poses);
       for (uint16_t i = 0; i < arm->body_count(); ++i) {
-        keep_nearer(least, clearance_of(separation(bodies[i], limb), arm->body_error(i) + person->body_error(j)), i, j);
+        keep_nearer(least, clearance_between(bodies[i], limb, arm->body_error(i) + person->body_error(j)), i, j);
       }
     }
   }
@@ -121,7 +113,7 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
     least.clearance = nothing_there();
     for (uint16_t k = 0; k < self_pair_count; ++k) {
       const uint16_t i = self_pairs[k].first, j = self_pairs[k].second;
-      keep_nearer(least, clearance_of(separation(bodies[i], bodies[j]), arm->body_error(i) + arm->body_error(j)), i, j);
+      keep_nearer(least, clearance_between(bodies[i], bodies[j], arm->body_error(i) + arm->body_error(j)), i, j);
     }
   }
   constexpr void repel(const Vector3<S>& tool, const Pose<S>* person_poses, ArmTick<S>& out) const {

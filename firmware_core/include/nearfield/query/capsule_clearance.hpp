@@ -43,7 +43,7 @@ constexpr Clearance<S> clearance(const AnyField& field, const Capsule<typename A
   Clearance<S> answer;
   const Vector3<S> end = add_in_range(capsule.from, capsule.along(capsule.length));
   if (!detail::may_be_asked(field, capsule.from, slots, slot_count) || !coordinates_in_domain(end) ||
-      !detail::valid_poses(slots, field.slot_count()) || !capsule.valid() || body_error < S{}) {
+      !detail::valid_poses(slots, field.slot_count()) || !capsule.valid(Capsule<S>::kMovedAxisSlack) || body_error < S{}) {
     return answer;
   }
   const detail::Certifier<S> certifier(field.certificate());

@@ -74,4 +74,15 @@ template <class S> constexpr SeparatedBy<S> separation(const Capsule<S>& a, cons
           {T::from_unit(apart.direction.x), T::from_unit(apart.direction.y), T::from_unit(apart.direction.z)}};
 }
 
+// The same as a clearance, for capsules each known to within its share of `error` (metres, their sum).
+template <class S> constexpr Clearance<S> clearance_between(const Capsule<S>& a, const Capsule<S>& b, S error) {
+  const SeparatedBy<S> apart = separation(a, b);
+  Clearance<S> c;
+  c.distance = apart.distance - error;
+  c.direction = apart.direction;
+  c.status = c.distance > S{} ? ClearanceStatus::clear
+             : apart.distance + error <= S{} ? ClearanceStatus::touching : ClearanceStatus::undecided;
+  return c;
+}
+
 }  // namespace nearfield

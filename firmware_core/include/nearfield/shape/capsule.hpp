@@ -11,6 +11,8 @@ namespace nearfield {
 template <class S> struct Capsule {
   using Scalar = S;
   static constexpr Kind kind = Kind::distance;
+  static constexpr int kAxisSlack = 8;         // of a shape's axis, rounded once
+  static constexpr int kMovedAxisSlack = 128;  // of an axis turned by a valid_pose()
   Vector3<S> from;
   Vector3<Unit<S>> axis;
   S length{};
@@ -46,10 +48,11 @@ template <class S> struct Capsule {
   // No point of the capsule is farther than this from the local origin.
   constexpr S extent() const { return length_of<S>(sum_of_squares(from.x, from.y, from.z)) + length + radius; }
 
-  constexpr bool valid() const {
+  // `axis_slack`: how far the axis may be from unit length, in units of 2^-30 (float: 2^-24).
+  constexpr bool valid(int axis_slack = kAxisSlack) const {
     const S limit = ScalarTraits<S>::domain();
     return coordinates_in_domain(from) && within(length, S{}, limit + limit) && within(radius, S{}, limit) &&
-           valid_axis();
+           valid_axis(axis_slack);
   }
 
   // place * axis: from the segment's start to the point `place` metres along it.
@@ -59,15 +62,16 @@ template <class S> struct Capsule {
   }
 
  private:
-  // Unit length within 8 units of 2^-30 (float: 2^-21), or zero together with the length.
-  constexpr bool valid_axis() const {
+  // Zero together with the length, otherwise of unit length within the slack.
+  constexpr bool valid_axis(int axis_slack) const {
     using T = ScalarTraits<Unit<S>>;
     if (length == S{}) return is_zero(axis);
     const Unit<S> one = ScalarTraits<S>::unit_one();
-    if (!(within(axis.x, -one, one) && within(axis.y, -one, one) && within(axis.z, -one, one))) return false;
-    const Unit<S> norm = length_of<Unit<S>>(sum_of_squares(axis.x, axis.y, axis.z));
-    const Unit<S> slack = T::times(T::rounding_unit(one), ScalarTraits<S>::is_fixed ? 8 : 1);
-    return within(norm, one - slack, one + slack);
+    Unit<S> slack = T::times(T::rounding_unit(one), axis_slack);
+    if constexpr (!ScalarTraits<S>::is_fixed) slack = slack * 0.125f;
+    const Unit<S> limit = one + slack;
+    if (!(within(axis.x, -limit, limit) && within(axis.y, -limit, limit) && within(axis.z, -limit, limit))) return false;
+    return within(length_of<Unit<S>>(sum_of_squares(axis.x, axis.y, axis.z)), one - slack, limit);
   }
 };
 

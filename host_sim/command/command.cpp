@@ -1,0 +1,66 @@
+#include "command/command.hpp"
+
+#include <cstdio>
+#include <exception>
+
+#include "command/options.hpp"
+#include "text/input_error.hpp"
+#include "text/names.hpp"
+
+namespace nearfield::host {
+namespace {
+
+struct Verb {
+  std::string name;
+  int (*run)(const std::vector<std::string>&);
+  std::string help;
+};
+
+const std::vector<Verb>& verbs() {
+  static const std::vector<Verb> all = {
+      {"sim", run_sim, "simulate a robot arm in a work cell with a person"},
+      {"check", run_check, "clearances of a robot in the starts and goals of planning problems"},
+      {"bake", run_bake, "write a work cell as C++ source for a target's flash"},
+  };
+  return all;
+}
+
+void print_help(std::FILE* to) {
+  std::fprintf(to, "usage: nearfield VERB [OPTION...]\n\n");
+  for (const Verb& verb : verbs()) std::fprintf(to, "  %-7s %s\n", verb.name.c_str(), verb.help.c_str());
+  std::fprintf(to, "\n`nearfield VERB --help` tells more.\n");
+}
+
+int dispatch(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) {
+    print_help(stderr);
+    return 2;
+  }
+  if (arguments[0] == "help" || arguments[0] == "--help" || arguments[0] == "-h") {
+    print_help(stdout);
+    return 0;
+  }
+  std::vector<std::string_view> names;
+  for (const Verb& verb : verbs()) {
+    if (verb.name == arguments[0]) return verb.run({arguments.begin() + 1, arguments.end()});
+    names.push_back(verb.name);
+  }
+  throw UsageError(unknown_name("verb", arguments[0], names));
+}
+
+}  // namespace
+
+int run_command(const std::vector<std::string>& arguments) {
+  try {
+    return dispatch(arguments);
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "nearfield: %s; `nearfield help` lists what there is\n", error.what());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "nearfield: %s\n", error.what());
+  }
+  return 2;
+}
+
+}  // namespace nearfield::host
