@@ -71,7 +71,7 @@ std::string work_cell_source(const CompiledWorkCell& cell, const std::string& ma
   const work_cell::WorkCell& s = cell.settings;
   source.line("\ninline constexpr WorkCell kWorkCell = {");
   for (const std::string& part : {arm, person, checked, pairs, cell_image, soft_image}) source.line("  " + part + ",");
-  source.line("  " + std::to_string(s.tool_link) + ", " + std::to_string(s.evaluations) + ", " + text_of(s.tolerance) + ",");
+  source.line("  " + std::to_string(s.tool_link) + ", " + std::to_string(s.refinements) + ", " + text_of(s.tolerance) + ",");
   source.line("  " + text_of(s.person_stop) + ", " + text_of(s.person_free) + ", " + text_of(s.cell_stop) + ", " +
               text_of(s.cell_free) + ",");
   source.line("  " + std::to_string(s.ticks) + "};\n\n}  // namespace nearfield::work_cell");

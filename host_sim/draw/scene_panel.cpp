@@ -100,6 +100,9 @@ class ScenePanel {
       labels_.block(page(picture_.nearest->on_robot), away_arrow_tip(), 7.0);
     }
     if (picture_.repulsion) labels_.block(page(picture_.repulsion->at), repulsion_tip(), 8.0);
+    const Polyline path = tool_path();
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+      labels_.block(path.points[i - 1], path.points[i], 1.5);
     if (!view_.field.values.empty()) {
       for (const Polyline& line : on_page(contour_lines(view_.field, 0.0))) {
         for (std::size_t i = 1; i < line.points.size(); ++i)
@@ -206,18 +209,20 @@ class ScenePanel {
   // -- things in the scene
   // ------------------------------------------------------------------------------------
 
-  void draw_tool_path() {
+  Polyline tool_path() const {
     Polyline path;
     for (const Vec3& p : picture_.tool_path) {
       const Point at = page(p);
-      if (!path.points.empty() &&
-          length_of({at.x - path.points.back().x, at.y - path.points.back().y}) < 0.3) {
-        continue;
-      }
-      path.points.push_back(at);
+      const bool moved =
+          path.points.empty() || length_of({at.x - path.points.back().x, at.y - path.points.back().y}) >= 0.3;
+      if (moved) path.points.push_back(at);
     }
+    return simplified(path, 0.15);
+  }
+
+  void draw_tool_path() {
     document_.begin_group("tool-path");
-    document_.path({simplified(path, 0.15)}, scene_style::tool_path());
+    document_.path({tool_path()}, scene_style::tool_path());
     document_.end_group();
   }
 
@@ -376,7 +381,7 @@ class ScenePanel {
     style.size = font::small;
     style.anchor = TextAnchor::middle;
     const WorldWindow& w = view_.window;
-    const auto ticks_for = [this](double pixels) {
+    const auto ticks_for = [](double pixels) {
       return static_cast<std::size_t>(std::max(2.0, pixels / 48.0));
     };
     for (const Tick& tick : round_ticks(w.left, w.right, ticks_for(frame_.width))) {

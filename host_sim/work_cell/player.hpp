@@ -103,7 +103,7 @@ template <int ArmLinks, int ArmBodies, int PersonLinks, int PersonBodies> class 
     monitor_.self_pairs = data_.self_pairs.data;
     monitor_.self_pair_count = static_cast<uint16_t>(data_.self_pairs.count);
     monitor_.tool_link = data_.tool_link;
-    monitor_.effort = {data_.evaluations, data_.tolerance};
+    monitor_.effort = {data_.refinements, data_.tolerance};
     monitor_.person_ramp = SpeedRamp<Q>(data_.person_stop, data_.person_free);
     monitor_.cell_ramp = SpeedRamp<Q>(data_.cell_stop, data_.cell_free);
     sample();

@@ -5,14 +5,30 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
 namespace {
 
 using namespace nearfield;
 using namespace nearfield::golden;
 
-TEST(QueryDigest, Fixed27) { EXPECT_EQ(query_digest<Fixed<27>>(kDigestQueries), kFixed27Digest); }
-TEST(QueryDigest, Fixed16) { EXPECT_EQ(query_digest<Fixed<16>>(kDigestQueries), kFixed16Digest); }
-TEST(QueryDigest, Float) { EXPECT_EQ(query_digest<float>(kDigestQueries), kFloatDigest); }
+std::string hexadecimal(uint64_t number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "0x%016llx", static_cast<unsigned long long>(number));
+  return text;
+}
+
+TEST(QueryDigest, Fixed27) {
+  EXPECT_EQ(hexadecimal(query_digest<Fixed<27>>(kDigestQueries)), hexadecimal(kFixed27Digest));
+}
+TEST(QueryDigest, Fixed16) {
+  EXPECT_EQ(hexadecimal(query_digest<Fixed<16>>(kDigestQueries)), hexadecimal(kFixed16Digest));
+}
+TEST(QueryDigest, Float) {
+  EXPECT_EQ(hexadecimal(query_digest<float>(kDigestQueries)), hexadecimal(kFloatDigest));
+}
 
 // All fields of the stream are valid ones, so that the digest covers evaluations and not only refusals.
 template <class S> void expect_valid_fields() {

@@ -1,4 +1,5 @@
-/// Clearance of a whole capsule to random fields of unions, judged by the exact least distance along its axis.
+/// Clearance of a whole capsule to random fields of unions, judged by the exact least distance along its
+/// axis.
 
 #include <nearfield/query/capsule_clearance.hpp>
 
@@ -20,7 +21,8 @@ using reference::Vec3;
 
 constexpr std::array<int, 3> efforts{4, 8, 12};
 
-// Least signed distance of a segment to a convex solid, whose signed distance is convex along it: golden section.
+// Least signed distance of a segment to a convex solid, whose signed distance is convex along it: golden
+// section.
 Real least_along(const Node& leaf, const reference::Segment& segment) {
   const Real golden = (std::sqrt(Real{5}) - 1) / 2;
   const auto at = [&](Real t) { return reference::value(leaf, reference::point_at(segment, t)); };
@@ -56,7 +58,8 @@ Real least_sharp_distance(const Node& node, const reference::Segment& segment) {
     return reference::point_segment_distance(node.sphere.center, segment) - node.sphere.radius;
   }
   if (node.kind == NodeKind::capsule) {
-    return reference::segment_segment_distance({node.capsule.a, node.capsule.b}, segment) - node.capsule.radius;
+    return reference::segment_segment_distance({node.capsule.a, node.capsule.b}, segment) -
+           node.capsule.radius;
   }
   if (node.operands.empty()) return least_along(node, segment);
   Real least = least_sharp_distance(node.operands[0], segment);
@@ -64,7 +67,8 @@ Real least_sharp_distance(const Node& node, const reference::Segment& segment) {
   return least;
 }
 
-template <class S> class SweepTrial {
+template <class S>
+class SweepTrial {
  public:
   explicit SweepTrial(std::uint64_t seed) : random_(seed) {}
 
@@ -86,14 +90,15 @@ template <class S> class SweepTrial {
       ASSERT_FALSE(all.empty());
       std::sort(all.begin(), all.end());
       const auto share = [&all](std::size_t percent) { return all[(all.size() - 1) * percent / 100]; };
-      std::printf("%s, %2d evaluations: %zu clear; shortfall in parts of the capsule's length: median %.2Le, 90 %% "
-                  "%.4Lf, 99 %% %.4Lf, greatest %.4Lf\n",
-                  ScalarName<S>::text().c_str(), efforts[i], all.size(), share(50), share(90), share(99), all.back());
+      std::printf(
+          "%s, %2d evaluations: %zu clear; shortfall in parts of the capsule's length: median %.2Le, 90 %% "
+          "%.4Lf, 99 %% %.4Lf, greatest %.4Lf\n",
+          ScalarName<S>::text().c_str(), efforts[i], all.size(), share(50), share(90), share(99), all.back());
     }
   }
 
-  // A ball beside the middle of a capsule is where the bound of the stretch between both ends is exact: there is no
-  // slack but the certified error's.
+  // A ball beside the middle of a capsule is where the bound of the stretch between both ends is exact: there
+  // is no slack but the certified error's.
   void tightest_obstacle() {
     Real least_shortfall = 1;
     for (int i = 0; i < 40000; ++i) {
@@ -115,7 +120,8 @@ template <class S> class SweepTrial {
       too_large_.check(real(answer.distance) <= truth, [&](std::ostream& out) {
         out << real(answer.distance) << " claimed, " << truth << " true, length " << 2 * half;
       });
-      answered_.check(answer.status != ClearanceStatus::invalid, [](std::ostream& out) { out << "one ball"; });
+      answered_.check(answer.status != ClearanceStatus::invalid,
+                      [](std::ostream& out) { out << "one ball"; });
       if (answer.status != ClearanceStatus::clear) continue;
       least_shortfall = std::min(least_shortfall, truth - real(answer.distance));
     }
@@ -137,7 +143,8 @@ template <class S> class SweepTrial {
     b = {std::clamp(b.x, -limit, limit), std::clamp(b.y, -limit, limit), std::clamp(b.z, -limit, limit)};
     const Real longest = 2 * limit;
     if (reference::distance(a, b) > longest) b = a + (b - a) * (longest / reference::distance(a, b));
-    return Capsule<S>(rounded<S>(a * 0.999L), rounded<S>(b * 0.999L), rounded<S>(around * random_.uniform(0, 0.1L)));
+    return Capsule<S>(rounded<S>(a * 0.999L), rounded<S>(b * 0.999L),
+                      rounded<S>(around * random_.uniform(0, 0.1L)));
   }
 
   void judge(const RandomField<S>& field, const Capsule<S>& body, Real size) {
@@ -148,16 +155,16 @@ template <class S> class SweepTrial {
     const S tolerance = random_.chance(0.7L) ? S{} : rounded<S>(size * 0.001L);
     for (std::size_t i = 0; i < efforts.size(); ++i) {
       const Clearance<S> answer =
-          clearance(field.program, body, body_error, SweepEffort<S>{efforts[i], tolerance}, field.slots.data(),
-                    static_cast<uint32_t>(field.slots.size()));
+          clearance(field.program, body, body_error, SweepEffort<S>{efforts[i], tolerance},
+                    field.slots.data(), static_cast<uint32_t>(field.slots.size()));
       answered_.check(answer.status != ClearanceStatus::invalid, [&](std::ostream& out) { out << length; });
       positive_.check((answer.status == ClearanceStatus::clear) == (answer.distance > S{}),
                       [&](std::ostream& out) { out << real(answer.distance); });
       // The body itself may be anywhere within its error.
       const Real truth = nearest - real(body_error);
       too_large_.check(real(answer.distance) <= std::max(truth, Real{0}), [&](std::ostream& out) {
-        out << real(answer.distance) << " claimed, " << truth << " true, " << efforts[i] << " evaluations, length "
-            << length;
+        out << real(answer.distance) << " claimed, " << truth << " true, " << efforts[i]
+            << " evaluations, length " << length;
       });
       if (answer.status == ClearanceStatus::touching && field.lowest_order > 3) {
         touching_.check(nearest <= 0, [&](std::ostream& out) { out << nearest; });
@@ -178,7 +185,8 @@ template <class S> class SweepTrial {
       const Vec3 towards = reference::normalized_or_zero(reference::sample(field.node, on_axis).gradient);
       const Vec3 q = on_axis - within * (1 - 1e-12L) * towards;
       const Real blended = reference::value(field.node, q);
-      surroundings_.check(blended > 0, [&](std::ostream& out) { out << blended << " at " << within << " m"; });
+      surroundings_.check(blended > 0,
+                          [&](std::ostream& out) { out << blended << " at " << within << " m"; });
     }
   }
 

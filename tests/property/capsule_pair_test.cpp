@@ -1,4 +1,5 @@
-/// Separation of two capsules, judged by the exact distance of their segments: never too large, and how much too small.
+/// Separation of two capsules, judged by the exact distance of their segments: never too large, and how much
+/// too small.
 
 #include <nearfield/query/capsule_pair.hpp>
 
@@ -30,13 +31,15 @@ Vec3 perpendicular(Random& random, const Vec3& direction) {
   return reference::normalized_or_zero(reference::cross(direction, random.unit_vector()));
 }
 
-// Segments whose lines make `angle`, and pass each other at `apart`; the nearest points of the lines may lie outside.
+// Segments whose lines make `angle`, and pass each other at `apart`; the nearest points of the lines may lie
+// outside.
 CapsulePair skew_pair(Random& random, Real size, Real angle, Real apart) {
   const Vec3 u = random.unit_vector(), n = perpendicular(random, u);
   const Vec3 v = std::cos(angle) * u + std::sin(angle) * reference::cross(n, u);
   const Vec3 on_first = random.vector(-size, size) * 0.3L, on_second = on_first + apart * n;
   const auto part = [&] { return size * random.uniform(-0.4L, 0.4L); };
-  return {{on_first + part() * u, on_first + part() * u, 0}, {on_second + part() * v, on_second + part() * v, 0}};
+  return {{on_first + part() * u, on_first + part() * u, 0},
+          {on_second + part() * v, on_second + part() * v, 0}};
 }
 
 struct Case {
@@ -48,14 +51,16 @@ const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
       {"random",
        [](Random& random, Real size) {
-         return CapsulePair{{random.vector(-size, size), random.vector(-size, size), size * random.uniform(0, 0.1L)},
-                            {random.vector(-size, size), random.vector(-size, size), size * random.uniform(0, 0.1L)}};
+         return CapsulePair{
+             {random.vector(-size, size), random.vector(-size, size), size * random.uniform(0, 0.1L)},
+             {random.vector(-size, size), random.vector(-size, size), size * random.uniform(0, 0.1L)}};
        }},
       {"far apart",
        [](Random& random, Real size) {
          const Vec3 corner{size * 0.7L, size * 0.7L, size * 0.7L};
-         return CapsulePair{{corner + random.vector(0, 0.3L) * size, corner + random.vector(-0.3L, 0.3L) * size, 0},
-                            {-corner - random.vector(0, 0.3L) * size, -corner - random.vector(-0.3L, 0.3L) * size, 0}};
+         return CapsulePair{
+             {corner + random.vector(0, 0.3L) * size, corner + random.vector(-0.3L, 0.3L) * size, 0},
+             {-corner - random.vector(0, 0.3L) * size, -corner - random.vector(-0.3L, 0.3L) * size, 0}};
        }},
       {"limbs",  // like those of an arm and a person: as far apart as they are thick, or farther
        [](Random& random, Real size) {
@@ -64,8 +69,8 @@ const std::vector<Case>& cases() {
          pair.first.radius = pair.second.radius = size * 0.012L;
          return pair;
        }},
-      {"parallel",
-       [](Random& random, Real size) { return skew_pair(random, size, 0, size * random.uniform(0.001L, 0.5L)); }},
+      {"parallel", [](Random& random,
+                      Real size) { return skew_pair(random, size, 0, size * random.uniform(0.001L, 0.5L)); }},
       {"nearly parallel",
        [](Random& random, Real size) {
          const Real angle = std::pow(Real{10}, random.uniform(-9, -2));
@@ -86,7 +91,8 @@ const std::vector<Case>& cases() {
        }},
       {"touching",
        [](Random& random, Real size) {
-         CapsulePair pair = skew_pair(random, size, random.uniform(0.01L, 1.5L), size * random.uniform(0.01L, 0.2L));
+         CapsulePair pair =
+             skew_pair(random, size, random.uniform(0.01L, 1.5L), size * random.uniform(0.01L, 0.2L));
          const Real apart = reference::segment_segment_distance({pair.first.a, pair.first.b},
                                                                 {pair.second.a, pair.second.b});
          pair.first.radius = apart * random.uniform(0.2L, 0.8L);
@@ -96,7 +102,8 @@ const std::vector<Case>& cases() {
       {"zero length",
        [](Random& random, Real size) {
          const Vec3 p = random.vector(-size, size), q = random.vector(-size, size);
-         return CapsulePair{{p, p, 0}, {q, random.chance(0.5L) ? q : random.vector(-size, size), size * 0.01L}};
+         return CapsulePair{{p, p, 0},
+                            {q, random.chance(0.5L) ? q : random.vector(-size, size), size * 0.01L}};
        }},
       {"short",
        [](Random& random, Real size) {
@@ -120,7 +127,8 @@ struct Shortfalls {
   }
 };
 
-template <class S> class PairTrial {
+template <class S>
+class PairTrial {
  public:
   explicit PairTrial(std::uint64_t seed) : random_(seed) {}
 
@@ -160,8 +168,8 @@ template <class S> class PairTrial {
     const SeparatedBy<S> answer = separation(first, second);
     const Real shortfall = truth - real(answer.distance);
     too_large_.check(shortfall >= -1e-16L * (1 + apart), [&](std::ostream& out) {
-      out << one.name << ": " << -shortfall / unit_ << " rounding units above " << truth << ", segments " << apart
-          << " apart";
+      out << one.name << ": " << -shortfall / unit_ << " rounding units above " << truth << ", segments "
+          << apart << " apart";
     });
     shortfalls_.all.push_back(shortfall);
 
@@ -169,7 +177,8 @@ template <class S> class PairTrial {
     direction_.check(length == 0 || std::fabs(length - 1) <= 4 * last_place<S>(1),
                      [&](std::ostream& out) { out << one.name << ": length " << length; });
 
-    // Rounding turns the separating direction by about two units over the distance; each segment's support feels it.
+    // Rounding turns the separating direction by about two units over the distance; each segment's support
+    // feels it.
     const Vec3 u = a.b - a.a, v = b.b - b.a;
     const Real lengths = reference::norm(u) + reference::norm(v);
     const Real product = reference::norm(u) * reference::norm(v);
@@ -177,8 +186,8 @@ template <class S> class PairTrial {
     if (!(apart > 0)) return;
     const Real allowed = std::min(apart, unit_ * (14 + 3 * lengths / apart));
     too_small_.check(shortfall <= allowed + 1e-16L * (1 + apart), [&](std::ostream& out) {
-      out << one.name << ": " << shortfall / unit_ << " rounding units, allowed " << allowed / unit_ << ", " << apart
-          << " apart, lengths " << lengths;
+      out << one.name << ": " << shortfall / unit_ << " rounding units, allowed " << allowed / unit_ << ", "
+          << apart << " apart, lengths " << lengths;
     });
     (apart * 4 > lengths ? comfortable_ : crossing_).all.push_back(shortfall);
   }

@@ -1,5 +1,5 @@
-/// Certificates of random fields, judged by the reference: error, Lipschitz constant, erosion, inflation, and the
-/// clearances and directions that follow from them.
+/// Certificates of random fields, judged by the reference: error, Lipschitz constant, erosion, inflation, and
+/// the clearances and directions that follow from them.
 
 #include <nearfield/query/clearance.hpp>
 
@@ -18,23 +18,34 @@ constexpr int fields_per_scalar = 6000;
 constexpr int points_per_field = 60;
 constexpr int points_in_each_ball = 30;
 
-// Fields by the least smooth of their blends. With H_1 the kernel has kinks that a table of cubics rounds off.
-enum Smoothness : std::size_t { sharp, with_first_order, with_second_order, with_third_order, smoothness_count };
+// Fields by the least smooth of their blends. With H_1 the kernel has kinks that a table of cubics rounds
+// off.
+enum Smoothness : std::size_t {
+  sharp,
+  with_first_order,
+  with_second_order,
+  with_third_order,
+  smoothness_count
+};
 constexpr std::array<const char*, smoothness_count> smoothness_names{"sharp", "H_1", "H_2", "H_3"};
 
-template <class S> Smoothness smoothness_of(const RandomField<S>& field) {
+template <class S>
+Smoothness smoothness_of(const RandomField<S>& field) {
   if (field.lowest_order > 3) return sharp;
   return static_cast<Smoothness>(field.lowest_order);
 }
 
-// Of a direction's difference from the reference gradient. For blended fields it is the error of a table's slope.
-template <class S> constexpr Real direction_tolerance(Smoothness smoothness) {
+// Of a direction's difference from the reference gradient. For blended fields it is the error of a table's
+// slope.
+template <class S>
+constexpr Real direction_tolerance(Smoothness smoothness) {
   constexpr Real of_sharp = std::is_same_v<S, Fixed<27>> ? 1e-6L : std::is_same_v<S, float> ? 1e-5L : 4e-4L;
   constexpr std::array<Real, smoothness_count> tolerance{of_sharp, 0.2L, 0.01L, 5e-4L};
   return tolerance[smoothness];
 }
 
-template <class S> class CertificateTrial {
+template <class S>
+class CertificateTrial {
  public:
   explicit CertificateTrial(std::uint64_t seed) : random_(seed) {}
 
@@ -136,7 +147,8 @@ template <class S> class CertificateTrial {
                        const reference::FieldSample& truth) {
     if (field.unions_only) {
       const Real apart = reference::sharp_distance(field.node, at);
-      distance_.check(claimed <= apart, [&](std::ostream& out) { out << claimed << " claimed, " << apart << " true"; });
+      distance_.check(claimed <= apart,
+                      [&](std::ostream& out) { out << claimed << " claimed, " << apart << " true"; });
     }
     if (!random_.chance(0.06L)) return;
     ++balls_;
@@ -192,10 +204,11 @@ template <class S> class CertificateTrial {
     for (std::size_t i = 0; i < smoothness_count; ++i) {
       const Extremes& e = extremes_[i];
       EXPECT_GT(e.directions, e.triples / 100);
-      std::printf("  %-5s %7lld triples: greatest error %.3Lf of the certified, %.1Lf units in the last place%s; "
-                  "greatest rate %.6Lf, %.6Lf of the certified; %lld directions off by at most %.1Le\n",
-                  smoothness_names[i], e.triples, e.share, e.error, ScalarTraits<S>::is_fixed ? "" : " of 16", e.rate,
-                  e.rate_share, e.directions, e.direction);
+      std::printf(
+          "  %-5s %7lld triples: greatest error %.3Lf of the certified, %.1Lf units in the last place%s; "
+          "greatest rate %.6Lf, %.6Lf of the certified; %lld directions off by at most %.1Le\n",
+          smoothness_names[i], e.triples, e.share, e.error, ScalarTraits<S>::is_fixed ? "" : " of 16", e.rate,
+          e.rate_share, e.directions, e.direction);
     }
   }
 
@@ -205,7 +218,8 @@ template <class S> class CertificateTrial {
   };
 
   Random random_;
-  Failures error_, rate_, erosion_, inflation_, answered_, clear_is_positive_, touching_, distance_, ball_, direction_;
+  Failures error_, rate_, erosion_, inflation_, answered_, clear_is_positive_, touching_, distance_, ball_,
+      direction_;
   std::array<Extremes, smoothness_count> extremes_{};
   std::array<long long, 4> statuses_{};
   long long triples_ = 0, balls_ = 0;
@@ -219,6 +233,72 @@ TEST(Certificate, HoldsForRandomFieldsInFixed16) {
 }
 TEST(Certificate, HoldsForRandomFieldsInFloat) {
   CertificateTrial<float>(reference::announced_seed("HoldsForRandomFieldsInFloat", 103)).run();
+}
+
+// The farthest that a point and a frame's origin can be apart, and poses handed in at run time that are as
+// far from a rotation as valid_pose() lets pass: stretched by 31 units and sheared by 15, where 32 are
+// allowed in lengths and products of rows.
+template <class S>
+void judge_far_frames(std::uint64_t seed) {
+  Random random(seed);
+  const Real reach = real(ScalarTraits<S>::domain());
+  const Real unit = ScalarTraits<S>::is_fixed ? std::ldexp(Real{1}, -30) : std::ldexp(Real{1}, -19) / 33;
+  std::array<Real, 2> greatest{}, certified{};
+  Failures error;
+  std::array<long long, 2> trials{};
+  for (int i = 0; i < 60000; ++i) {
+    const std::size_t in_slot = random.chance(0.5L) ? 1 : 0;
+    const Vec3 corner{random.chance(0.5L) ? reach : -reach, random.chance(0.5L) ? reach : -reach, reach};
+    const reference::Pose pose{random.rotation(), -random.uniform(0.97L, 0.999L) * corner};
+    Pose<S> rounded_one = rounded_pose<S>(pose);
+    const Vector3<S> p = rounded<S>(random.uniform(0.97L, 0.999L) * corner);
+    if (in_slot == 1) {
+      // Along the direction in which the point is seen.
+      const std::array<Real, 3> sign{std::copysign(Real{1}, corner.x), std::copysign(Real{1}, corner.y), 1};
+      const Real way = random.chance(0.5L) ? 1 : -1;
+      reference::Mat3 stretch;
+      for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+          stretch(row, column) += way * sign[row] * sign[column] * unit * (row == column ? 30 : 14);
+        }
+      }
+      rounded_one.rotation = rounded_rotation<S>(stretch * pose.rotation);
+      if (!valid_pose(rounded_one)) continue;
+    }
+    const Vec3 center = random.vector(-0.01L, 0.01L) * reach;
+    RandomField<S> field;
+    if (in_slot == 1)
+      field.image->enter_slot(0);
+    else
+      field.image->enter(rounded_one);
+    field.image->operation(Sphere<S>{rounded<S>(center), rounded<S>(0.01L * reach)}).leave();
+    ASSERT_EQ(field.image->finish().status, LoadStatus::ok);
+    field.program = load<S>(field.image->words(), field.image->size() * sizeof(uint32_t));
+    const Real truth =
+        reference::value(reference::placed(pose, reference::sphere(center, 0.01L * reach)), real(p));
+    const Real off =
+        std::fabs(real(field.program.template evaluate<Value<S>>(p, &rounded_one).value) - truth);
+    certified[in_slot] = real(field.program.certificate().error);
+    greatest[in_slot] = std::max(greatest[in_slot], off);
+    ++trials[in_slot];
+    error.check(off <= certified[in_slot], [&](std::ostream& out) {
+      out << (in_slot == 1 ? "slot: " : "frame: ") << off << " certified " << certified[in_slot];
+    });
+  }
+  error.expect_none(ScalarName<S>::text() + ": far frames");
+  EXPECT_GT(trials[0], 10000);
+  EXPECT_GT(trials[1], 1000);
+  std::printf(
+      "%s: %lld fixed frames, greatest error %.3Lf of the certified; %lld slots, %.3Lf of the certified\n",
+      ScalarName<S>::text().c_str(), trials[0], greatest[0] / certified[0], trials[1],
+      greatest[1] / certified[1]);
+}
+
+TEST(Certificate, HoldsForTheFarthestFrames) {
+  const std::uint64_t seed = reference::announced_seed("HoldsForTheFarthestFrames", 104);
+  judge_far_frames<Fixed<27>>(seed);
+  judge_far_frames<Fixed<16>>(seed);
+  judge_far_frames<float>(seed);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 /// Link poses and placed bodies of random chains, judged by forward kinematics from unrounded parameters and
 /// unrounded joint values.
 
+#include <nearfield/query/capsule_pair.hpp>
 #include <nearfield/query/chain.hpp>
 
 #include "property/conversion.hpp"
@@ -22,7 +23,8 @@ using reference::Vec3;
 
 constexpr int chains_per_scalar = 20000;
 constexpr std::size_t most_joints = 8;
-template <class S> using TestedChain = Chain<S, 9, 9>;
+template <class S>
+using TestedChain = Chain<S, 9, 9>;
 
 // A joint as it really is: what drives it, and within which limits.
 struct Drive {
@@ -35,16 +37,18 @@ struct TrueBody {
 };
 
 struct Habits {
-  bool mimics = false;        // multipliers and offsets, of joints that follow others and of joints of their own
+  bool mimics = false;  // multipliers and offsets, of joints that follow others and of joints of their own
   std::size_t joints = most_joints;
-  Real size = 0.5L;           // metres: of origins, slides and bodies
+  Real size = 0.5L;  // metres: of origins, slides and bodies
   long long least_bodies = chains_per_scalar;
 };
 
-// Joint values are within this, in radians or metres: the range for which sine_cosine() states its error in Fixed.
+// Joint values are within this, in radians or metres: the range for which sine_cosine() states its error in
+// Fixed.
 constexpr Real greatest_value = 16;
 
-template <class S> class ChainTrial {
+template <class S>
+class ChainTrial {
  public:
   ChainTrial(std::uint64_t seed, Habits habits) : random_(seed), habits_(habits) {}
 
@@ -58,10 +62,11 @@ template <class S> class ChainTrial {
     rotation_.expect_none("link poses pass valid_pose()");
     status_.expect_none("values within the limits give poses");
     EXPECT_GE(bodies_, habits_.least_bodies);
-    std::printf("%s, up to %zu joints%s, %.1Lf m: %lld bodies, %lld chains out of range; greatest error %.3Lf of the "
-                "certified, %.2Le m\n",
-                ScalarName<S>::text().c_str(), habits_.joints, habits_.mimics ? " with mimics" : "", habits_.size,
-                bodies_, out_of_range_, greatest_share_, greatest_error_);
+    std::printf(
+        "%s, up to %zu joints%s, %.1Lf m: %lld bodies, %lld chains out of range; greatest error %.3Lf of the "
+        "certified, %.2Le m\n",
+        ScalarName<S>::text().c_str(), habits_.joints, habits_.mimics ? " with mimics" : "", habits_.size,
+        bodies_, out_of_range_, greatest_share_, greatest_error_);
   }
 
  private:
@@ -74,7 +79,8 @@ template <class S> class ChainTrial {
     values_.clear();
     base_ = random_.pose(size());
     chain_ = TestedChain<S>(rounded_pose<S>(base_));
-    const std::size_t joints = static_cast<std::size_t>(random_.integer(1, static_cast<std::int64_t>(habits_.joints)));
+    const std::size_t joints =
+        static_cast<std::size_t>(random_.integer(1, static_cast<std::int64_t>(habits_.joints)));
     tree_.link_count = joints + 1;
     for (std::size_t i = 0; i < joints; ++i) add_joint(i);
     for (std::size_t link = 0; link <= joints; ++link) {
@@ -84,9 +90,11 @@ template <class S> class ChainTrial {
 
   void add_joint(std::size_t i) {
     reference::Joint truth;
-    truth.parent_link = random_.chance(0.8L) ? i : static_cast<std::size_t>(random_.integer(0, static_cast<std::int64_t>(i)));
+    truth.parent_link =
+        random_.chance(0.8L) ? i : static_cast<std::size_t>(random_.integer(0, static_cast<std::int64_t>(i)));
     truth.child_link = i + 1;
-    truth.origin = {random_.chance(0.3L) ? reference::Mat3{} : random_.rotation(), random_.vector(-size(), size())};
+    truth.origin = {random_.chance(0.3L) ? reference::Mat3{} : random_.rotation(),
+                    random_.vector(-size(), size())};
     truth.axis = random_.chance(0.3L) ? Vec3{0, 0, 1} : random_.unit_vector();
     const Real kind = random_.uniform();
     truth.kind = kind < 0.65L   ? reference::JointKind::revolute
@@ -125,7 +133,8 @@ template <class S> class ChainTrial {
     drive.variable = static_cast<std::size_t>(random_.integer(0, static_cast<std::int64_t>(values_.size())));
     drive.multiplier = random_.chance(0.3L) ? 1 : random_.chance(0.3L) ? -1 : random_.uniform(-2, 2);
     if (drive.variable == values_.size()) {
-      const Real farthest = std::min(most / 2 / std::max(std::fabs(drive.multiplier), Real{0.01L}), greatest_value);
+      const Real farthest =
+          std::min(most / 2 / std::max(std::fabs(drive.multiplier), Real{0.01L}), greatest_value);
       values_.push_back(random_.uniform(-farthest, farthest));
     }
     const Real followed = std::fabs(drive.multiplier * values_[drive.variable]);
@@ -151,7 +160,8 @@ template <class S> class ChainTrial {
     for (std::size_t i = 0; i < values_.size(); ++i) values[i] = rounded<S>(values_[i]);
     std::vector<Real> positions;
     for (const Drive& drive : drives_) {
-      positions.push_back(values_.empty() ? Real{0} : drive.multiplier * values_[drive.variable] + drive.offset);
+      positions.push_back(values_.empty() ? Real{0}
+                                          : drive.multiplier * values_[drive.variable] + drive.offset);
     }
     const std::vector<reference::Pose> truth = reference::forward_kinematics(tree_, positions, base_);
 
@@ -164,7 +174,8 @@ template <class S> class ChainTrial {
       farthest = std::max({farthest, std::fabs(t.x), std::fabs(t.y), std::fabs(t.z)});
     }
     if (std::fabs(farthest - domain) > domain * 1e-5L) {
-      const KinematicsStatus expected = farthest < domain ? KinematicsStatus::ok : KinematicsStatus::out_of_range;
+      const KinematicsStatus expected =
+          farthest < domain ? KinematicsStatus::ok : KinematicsStatus::out_of_range;
       status_.check(status == expected, [&](std::ostream& out) {
         out << "status " << static_cast<int>(status) << " with a link at " << farthest;
       });
@@ -179,7 +190,8 @@ template <class S> class ChainTrial {
     for (std::size_t i = 0; i < bodies_of_chain_.size(); ++i) judge_body(static_cast<int>(i), poses, truth);
   }
 
-  void judge_body(int i, const std::array<Pose<S>, most_joints + 1>& poses, const std::vector<reference::Pose>& truth) {
+  void judge_body(int i, const std::array<Pose<S>, most_joints + 1>& poses,
+                  const std::vector<reference::Pose>& truth) {
     const TrueBody& body = bodies_of_chain_[static_cast<std::size_t>(i)];
     const Capsule<S> placed = chain_.placed_body(i, poses.data());
     const reference::Segment segment = stored_segment(placed);
@@ -192,8 +204,8 @@ template <class S> class ChainTrial {
     body_.check(off <= certified, [&](std::ostream& out) {
       out << off << " m off, certified " << certified << " m, " << tree_.joints.size() << " joints:";
       for (std::size_t k = 0; k < drives_.size(); ++k) {
-        out << " kind " << static_cast<int>(tree_.joints[k].kind) << " times " << drives_[k].multiplier << " plus "
-            << drives_[k].offset << ";";
+        out << " kind " << static_cast<int>(tree_.joints[k].kind) << " times " << drives_[k].multiplier
+            << " plus " << drives_[k].offset << ";";
       }
     });
   }
@@ -230,24 +242,28 @@ TEST(Chain, BodiesAreWithinTheirErrorInFloat) {
   ChainTrial<float>(seed + 1000, {false, 3, reach / 3, chains_per_scalar / 4}).run();
 }
 TEST(Chain, BodiesOfMimickingJointsAreWithinTheirErrorInFixed27) {
-  const std::uint64_t seed = reference::announced_seed("BodiesOfMimickingJointsAreWithinTheirErrorInFixed27", 504);
+  const std::uint64_t seed =
+      reference::announced_seed("BodiesOfMimickingJointsAreWithinTheirErrorInFixed27", 504);
   ChainTrial<Fixed<27>>(seed, {true}).run();
   ChainTrial<Fixed<27>>(seed + 1000, {true, 1}).run();
 }
 TEST(Chain, BodiesOfMimickingJointsAreWithinTheirErrorInFixed16) {
-  const std::uint64_t seed = reference::announced_seed("BodiesOfMimickingJointsAreWithinTheirErrorInFixed16", 505);
+  const std::uint64_t seed =
+      reference::announced_seed("BodiesOfMimickingJointsAreWithinTheirErrorInFixed16", 505);
   ChainTrial<Fixed<16>>(seed, {true}).run();
   ChainTrial<Fixed<16>>(seed + 1000, {true, 1}).run();
   // With levers this long the rounding of an offset is most of the error.
   ChainTrial<Fixed<16>>(seed + 2000, {true, 1, 60}).run();
 }
 TEST(Chain, BodiesOfMimickingJointsAreWithinTheirErrorInFloat) {
-  const std::uint64_t seed = reference::announced_seed("BodiesOfMimickingJointsAreWithinTheirErrorInFloat", 506);
+  const std::uint64_t seed =
+      reference::announced_seed("BodiesOfMimickingJointsAreWithinTheirErrorInFloat", 506);
   ChainTrial<float>(seed, {true}).run();
   ChainTrial<float>(seed + 1000, {true, 1}).run();
 }
 
-template <class S> void expect_limits_respected() {
+template <class S>
+void expect_limits_respected() {
   const S one = ScalarTraits<S>::one();
   TestedChain<S> chain;
   for (const JointKind kind : {JointKind::revolute, JointKind::prismatic}) {
@@ -275,7 +291,8 @@ template <class S> void expect_limits_respected() {
     EXPECT_EQ(status(one, wrong), KinematicsStatus::joint_out_of_limits) << static_cast<double>(real(wrong));
   }
   if constexpr (!ScalarTraits<S>::is_fixed) {
-    const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    const float nan = std::numeric_limits<float>::quiet_NaN(),
+                infinite = std::numeric_limits<float>::infinity();
     for (const float wrong : {nan, infinite, -infinite}) {
       EXPECT_EQ(status(wrong, one), KinematicsStatus::joint_out_of_limits);
       EXPECT_EQ(status(one, wrong), KinematicsStatus::joint_out_of_limits);
@@ -290,7 +307,8 @@ TEST(Chain, LimitsAreRespectedByEveryScalar) {
 }
 
 // However far a slide without limits goes, and whatever it is turned by, it never comes back into the domain.
-template <class S> void expect_out_of_range_is_noticed(Random& random) {
+template <class S>
+void expect_out_of_range_is_noticed(Random& random) {
   Failures noticed;
   const Real reach = real(ScalarTraits<S>::domain());
   for (int i = 0; i < 20000; ++i) {
@@ -302,15 +320,18 @@ template <class S> void expect_out_of_range_is_noticed(Random& random) {
     const Vec3 axis = random.unit_vector();
     joint.axis = rounded<Unit<S>>(axis);
     chain.add_joint(joint);
-    const S value = random.chance(0.1L) ? ScalarTraits<S>::greatest()
-                                        : rounded<S>(random.uniform(-1, 1) * real(ScalarTraits<S>::greatest()));
+    const S value = random.chance(0.1L)
+                        ? ScalarTraits<S>::greatest()
+                        : rounded<S>(random.uniform(-1, 1) * real(ScalarTraits<S>::greatest()));
     std::array<Pose<S>, 9> poses{};
     const KinematicsStatus status = chain.link_poses(&value, poses.data());
     const Vec3 truth = reference::to_world(base, reference::to_world(origin, real(value) * axis));
     const Real farthest = std::max({std::fabs(truth.x), std::fabs(truth.y), std::fabs(truth.z)});
-    noticed.check(farthest <= reach * 1.0001L || status == KinematicsStatus::out_of_range, [&](std::ostream& out) {
-      out << "status " << static_cast<int>(status) << ", link at " << farthest << ", value " << real(value);
-    });
+    noticed.check(farthest <= reach * 1.0001L || status == KinematicsStatus::out_of_range,
+                  [&](std::ostream& out) {
+                    out << "status " << static_cast<int>(status) << ", link at " << farthest << ", value "
+                        << real(value);
+                  });
   }
   noticed.expect_none("out_of_range");
 }
@@ -320,6 +341,81 @@ TEST(Chain, LinksOutOfRangeAreNoticedByEveryScalar) {
   expect_out_of_range_is_noticed<Fixed<27>>(random);
   expect_out_of_range_is_noticed<Fixed<16>>(random);
   expect_out_of_range_is_noticed<float>(random);
+}
+
+// A joint that turns without end: far beyond the angles at which a sine is precise, or refused there.
+template <class S>
+void expect_far_angles_within_error(Random& random) {
+  const Real lever = real(ScalarTraits<S>::domain()) * 0.95L,
+             most = real(ScalarTraits<S>::greatest()) * 0.999L;
+  Failures body_error;
+  for (int i = 0; i < 50000; ++i) {
+    TestedChain<S> chain;
+    Joint<S> joint;
+    joint.kind = JointKind::revolute;
+    joint.axis = {{}, {}, ScalarTraits<S>::unit_one()};
+    chain.add_joint(joint);
+    const Vector3<S> start{rounded<S>(lever), {}, {}};
+    chain.add_body({1, Capsule<S>(start, start, rounded<S>(0.1L))});
+    const Real angle = random.uniform(-most, most);
+    const S value = rounded<S>(angle);
+    std::array<Pose<S>, 9> poses{};
+    if (chain.link_poses(&value, poses.data()) != KinematicsStatus::ok) continue;
+    const Vec3 truth{real(start.x) * std::cos(angle), real(start.x) * std::sin(angle), 0};
+    const Real off = reference::distance(real(chain.placed_body(0, poses.data()).from), truth);
+    const Real certified = real(chain.body_error(0));
+    body_error.check(off <= certified, [&](std::ostream& out) {
+      out << off << " m off at " << angle << " rad, certified " << certified;
+    });
+  }
+  body_error.expect_none(ScalarName<S>::text() + ": body_error of a joint without limits");
+}
+
+TEST(Chain, EndlessJointsKeepTheirErrorOrAreRefused) {
+  Random random(reference::announced_seed("EndlessJointsKeepTheirErrorOrAreRefused", 508));
+  expect_far_angles_within_error<Fixed<27>>(random);
+  expect_far_angles_within_error<Fixed<16>>(random);
+  expect_far_angles_within_error<float>(random);
+}
+
+// Bodies may reach beyond the domain when their links are at its edge; their separation must not wrap.
+template <class S>
+void expect_separation_of_far_bodies(Random& random) {
+  const Real reach = real(ScalarTraits<S>::domain());
+  Failures too_large;
+  for (int i = 0; i < 50000; ++i) {
+    TestedChain<S> chain;
+    for (uint16_t link = 1; link <= 2; ++link) {
+      // Each link at one side of the domain, its body pointing farther out from it by up to a cube's half
+      // diagonal.
+      const Vec3 out = (link == 1 ? 1 : -1) * reference::normalized_or_zero({1, random.uniform(0, 0.3L), 0});
+      const Vec3 start = random.vector(0.5L, 0.99L) * reach;
+      const Vec3 axis = reference::cross(start, out);
+      const Real angle = std::atan2(reference::norm(axis), reference::dot(start, out));
+      Joint<S> joint;
+      joint.origin = rounded_pose<S>({reference::rotation_from_axis_angle(axis, angle), 0.98L * reach * out});
+      chain.add_joint(joint);
+      const Vec3 end = start - reference::normalized_or_zero(start) * random.uniform(0.1L, 1.99L) * reach;
+      chain.add_body({link, Capsule<S>(rounded<S>(start), rounded<S>(end), rounded<S>(reach * 0.01L))});
+    }
+    std::array<Pose<S>, 9> poses{};
+    const S none{};
+    if (!chain.valid() || chain.link_poses(&none, poses.data()) != KinematicsStatus::ok) continue;
+    const Capsule<S> a = chain.placed_body(0, poses.data()), b = chain.placed_body(1, poses.data());
+    const Real truth = reference::capsule_capsule_clearance(stored_segment(a), real(a.radius),
+                                                            stored_segment(b), real(b.radius));
+    const Real claimed = real(separation(a, b).distance);
+    too_large.check(claimed <= truth,
+                    [&](std::ostream& out) { out << claimed << " claimed, " << truth << " true"; });
+  }
+  too_large.expect_none(ScalarName<S>::text() + ": separation of bodies of a valid chain");
+}
+
+TEST(Chain, SeparationOfBodiesBeyondTheDomainIsNotTooLarge) {
+  Random random(reference::announced_seed("SeparationOfBodiesBeyondTheDomainIsNotTooLarge", 509));
+  expect_separation_of_far_bodies<Fixed<27>>(random);
+  expect_separation_of_far_bodies<Fixed<16>>(random);
+  expect_separation_of_far_bodies<float>(random);
 }
 
 TEST(Chain, UnusableChainsGiveNoPoses) {

@@ -11,7 +11,8 @@ namespace nearfield::property {
 class Failures {
  public:
   /// `describe` writes to a stream; it is called for the first failure alone.
-  template <class Describe> void check(bool holds, const Describe& describe) {
+  template <class Describe>
+  void check(bool holds, const Describe& describe) {
     if (holds) return;
     if (count_++ == 0) {
       std::ostringstream text;

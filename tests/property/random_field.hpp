@@ -18,13 +18,15 @@
 namespace nearfield::property {
 
 /// Li's exterior blends with H_order, epsilon / delta = ratio.
-template <class S> struct BlendKernel {
+template <class S>
+struct BlendKernel {
   int order;
   Real ratio;
   Table<S, 5> table;
 };
 
-template <class S> const std::array<BlendKernel<S>, 6>& blend_kernels() {
+template <class S>
+const std::array<BlendKernel<S>, 6>& blend_kernels() {
   static const std::array<BlendKernel<S>, 6> kernels = {{
       {1, 0.25L, bake<S>(exterior(step::polynomial<1>, 0.25))},
       {1, 1, bake<S>(exterior(step::polynomial<1>, 1.0))},
@@ -46,7 +48,8 @@ struct FieldTaste {
 };
 
 /// A field, its image (which the program refers to) and the poses of its slots.
-template <class S> struct RandomField {
+template <class S>
+struct RandomField {
   std::unique_ptr<ImageBuilder<S, 4096>> image = std::make_unique<ImageBuilder<S, 4096>>();
   Program<S> program;
   reference::Node node;
@@ -57,7 +60,8 @@ template <class S> struct RandomField {
 
 namespace detail {
 
-template <class S> class FieldMaker {
+template <class S>
+class FieldMaker {
  public:
   FieldMaker(reference::Random& random, const FieldTaste& taste, RandomField<S>& field)
       : random_(random), taste_(taste), field_(field), image_(*field.image) {}
@@ -177,9 +181,10 @@ template <class S> class FieldMaker {
 
 }  // namespace detail
 
-/// A loaded field. Draws again when an image is refused because its shapes and frames reach out of range; gives up,
-/// with a field whose program is not valid, after 100 refusals.
-template <class S> RandomField<S> random_field(reference::Random& random, FieldTaste taste) {
+/// A loaded field. Draws again when an image is refused because its shapes and frames reach out of range;
+/// gives up, with a field whose program is not valid, after 100 refusals.
+template <class S>
+RandomField<S> random_field(reference::Random& random, FieldTaste taste) {
   for (int attempt = 0; attempt < 100; ++attempt) {
     RandomField<S> field;
     detail::FieldMaker<S>(random, taste, field).make();

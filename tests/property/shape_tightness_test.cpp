@@ -34,7 +34,8 @@ Vector3<S> clamped_to_domain(const Vec3& p) {
 }
 
 // `make` returns a pair of a shape and its reference from the same unrounded parameters.
-template <class Make> void judge_tightness(const char* name, Random& random, const Make& make) {
+template <class Make>
+void judge_tightness(const char* name, Random& random, const Make& make) {
   Failures error, gradient;
   Real above = 0, below = 0, certified = 0;
   long long points = 0;
@@ -45,8 +46,9 @@ template <class Make> void judge_tightness(const char* name, Random& random, con
     certified = real(certificate.error);
     for (int k = 0; k < points_per_shape; ++k) {
       Vec3 wanted = random.vector(-domain, domain);
-      if (k % 2 == 0) wanted = wanted - random.uniform(0.9L, 1.1L) * reference::value(node, wanted) *
-                                            reference::sample(node, wanted).gradient;
+      if (k % 2 == 0)
+        wanted = wanted - random.uniform(0.9L, 1.1L) * reference::value(node, wanted) *
+                              reference::sample(node, wanted).gradient;
       const Vector3<S> p = clamped_to_domain(wanted);
       const Sample<S> sample = shape.template evaluate<Sample<S>>(p);
       const Real off = real(sample.value) - reference::value(node, real(p));
@@ -62,8 +64,8 @@ template <class Make> void judge_tightness(const char* name, Random& random, con
   gradient.expect_none(std::string(name) + ": the value alone is the same");
   EXPECT_LE(certified, std::max(above, below) + 16 * unit) << name;
   EXPECT_GT(points, 900000) << name;
-  std::printf("%-10s %lld points: %.2Lf units in the last place below to %.2Lf above, certified %.0Lf\n", name, points,
-              below / unit, above / unit, certified / unit);
+  std::printf("%-10s %lld points: %.2Lf units in the last place below to %.2Lf above, certified %.0Lf\n",
+              name, points, below / unit, above / unit, certified / unit);
 }
 
 TEST(ShapeTightness, CertifiedErrorsAreCloseToObservedOnes) {
@@ -71,7 +73,8 @@ TEST(ShapeTightness, CertifiedErrorsAreCloseToObservedOnes) {
   judge_tightness("sphere", random, [&] {
     const Vec3 center = random.vector(-domain, domain);
     const Real radius = random.uniform(0.001L, 2);
-    return std::make_pair(Sphere<S>{rounded<S>(center), rounded<S>(radius)}, reference::sphere(center, radius));
+    return std::make_pair(Sphere<S>{rounded<S>(center), rounded<S>(radius)},
+                          reference::sphere(center, radius));
   });
   judge_tightness("box", random, [&] {
     const Vec3 center = random.vector(-domain, domain), edges = random.vector(0.001L, 1);
@@ -84,9 +87,11 @@ TEST(ShapeTightness, CertifiedErrorsAreCloseToObservedOnes) {
                           reference::cylinder(center, radius, height));
   });
   judge_tightness("capsule", random, [&] {
-    const Vec3 a = random.vector(-2, 2), b = a + random.unit_vector() * std::pow(Real{10}, random.uniform(-6, 0.6L));
+    const Vec3 a = random.vector(-2, 2),
+               b = a + random.unit_vector() * std::pow(Real{10}, random.uniform(-6, 0.6L));
     const Real radius = random.uniform(0.001L, 1);
-    return std::make_pair(Capsule<S>(rounded<S>(a), rounded<S>(b), rounded<S>(radius)), reference::capsule(a, b, radius));
+    return std::make_pair(Capsule<S>(rounded<S>(a), rounded<S>(b), rounded<S>(radius)),
+                          reference::capsule(a, b, radius));
   });
 }
 
@@ -121,7 +126,8 @@ TEST(ShapeTightness, LongCapsulesStayWithinTheirCertificate) {
   error.expect_none("observed within certified");
 }
 
-template <class Shape> void judge_place(const char* name, const Shape& shape, const Vec3& place) {
+template <class Shape>
+void judge_place(const char* name, const Shape& shape, const Vec3& place) {
   const Sample<S> sample = shape.template evaluate<Sample<S>>(rounded<S>(place));
   const Real length = reference::norm(real(sample.gradient));
   EXPECT_TRUE(is_zero(sample.gradient) || std::fabs(length - 1) <= 4 * unit)
@@ -158,7 +164,8 @@ TEST(ShapeTightness, DegeneratePlacesAreDefined) {
     judge_place("cylinder", Cylinder<S>{c, S(0.5), S(0.25)}, place);
     judge_place("capsule", Capsule<S>(c, c + Vector3<S>{S(1.0), S{}, S{}}, S(0.25)), place);
     judge_place("slanted capsule", Capsule<S>(c, c + Vector3<S>{S(0.5), S(0.25), S(-0.25)}, S(0.25)), place);
-    judge_place("shortest capsule", Capsule<S>(c, c + Vector3<S>{S{}, S::unit_in_last_place(), S{}}, S(0.25)), place);
+    judge_place("shortest capsule", Capsule<S>(c, c + Vector3<S>{S{}, S::unit_in_last_place(), S{}}, S(0.25)),
+                place);
     judge_place("ball as capsule", Capsule<S>(c, c, S(0.25)), place);
     judge_place("bare point", Capsule<S>(c, c, S{}), place);
   }

@@ -19,19 +19,24 @@ namespace {
 
 using reference::Random;
 
-template <class S> Clearance<S> clear_by(S distance) {
+template <class S>
+Clearance<S> clear_by(S distance) {
   Clearance<S> c;
   c.status = ClearanceStatus::clear;
   c.distance = distance;
   return c;
 }
 
-template <class S> S next_above(S a) {
-  if constexpr (ScalarTraits<S>::is_fixed) return a + S::unit_in_last_place();
-  else return std::nextafter(a, std::numeric_limits<float>::max());
+template <class S>
+S next_above(S a) {
+  if constexpr (ScalarTraits<S>::is_fixed)
+    return a + S::unit_in_last_place();
+  else
+    return std::nextafter(a, std::numeric_limits<float>::max());
 }
 
-template <class S> class RampTrial {
+template <class S>
+class RampTrial {
  public:
   explicit RampTrial(std::uint64_t seed) : random_(seed) {}
 
@@ -57,7 +62,8 @@ template <class S> class RampTrial {
     const SpeedRamp<S> ramp(stop, free);
     const Real width = real(free) - real(stop);
     std::vector<S> distances{stop, free, S{}, ScalarTraits<S>::greatest(), ScalarTraits<S>::least()};
-    for (int i = 0; i < 1500; ++i) distances.push_back(rounded<S>(real(stop) + random_.uniform(-0.05L, 1.05L) * width));
+    for (int i = 0; i < 1500; ++i)
+      distances.push_back(rounded<S>(real(stop) + random_.uniform(-0.05L, 1.05L) * width));
     for (const Real start : {Real{0}, random_.uniform(), random_.uniform(0.97L, 1)}) {
       S at = rounded<S>(real(stop) + start * width);
       for (int i = 0; i < 300; ++i, at = next_above(at)) distances.push_back(at);
@@ -68,8 +74,8 @@ template <class S> class RampTrial {
       const S share = ramp.override_for(clear_by(distance));
       const Zone zone = ramp.zone(clear_by(distance));
       monotone_.check(share >= last, [&](std::ostream& out) {
-        out << real(last) << " then " << real(share) << " at " << real(distance) << " between " << real(stop) << " and "
-            << real(free);
+        out << real(last) << " then " << real(share) << " at " << real(distance) << " between " << real(stop)
+            << " and " << real(free);
       });
       last = share;
       const Real one = real(ScalarTraits<S>::one());
@@ -82,8 +88,8 @@ template <class S> class RampTrial {
       });
       const Real exact = reference::polynomial_step(3, 2 * (real(distance) - real(stop)) / width - 1);
       below_.check(real(share) <= exact, [&](std::ostream& out) {
-        out << real(share) << " exact " << exact << " at " << real(distance) << " between " << real(stop) << " and "
-            << real(free);
+        out << real(share) << " exact " << exact << " at " << real(distance) << " between " << real(stop)
+            << " and " << real(free);
       });
       // Between neighbouring numbers a narrow ramp may rise a good deal.
       if (width > 1e6L * last_place<S>(real(ScalarTraits<S>::domain()))) {
@@ -114,7 +120,8 @@ TEST(Zone, RampIsMonotoneAndNeverAboveTheStepInFloat) {
   RampTrial<float>(reference::announced_seed("RampIsMonotoneAndNeverAboveTheStepInFloat", 603)).run();
 }
 
-template <class S> void expect_invalid_ramps_stop() {
+template <class S>
+void expect_invalid_ramps_stop() {
   const S one = ScalarTraits<S>::one();
   for (const SpeedRamp<S>& ramp : {SpeedRamp<S>(), SpeedRamp<S>(one, one), SpeedRamp<S>(one + one, one)}) {
     for (const S distance : {S{}, one, one + one, ScalarTraits<S>::greatest()}) {
@@ -143,11 +150,13 @@ struct TrueSeparation {
 
   Real protective_distance(Real fraction) const {
     return human_speed * (reaction_time + fraction * stopping_time) + fraction * robot_speed * reaction_time +
-           fraction * fraction * stopping_distance + intrusion_distance + human_uncertainty + robot_uncertainty;
+           fraction * fraction * stopping_distance + intrusion_distance + human_uncertainty +
+           robot_uncertainty;
   }
-  template <class S> Separation<S> as() const {
-    return {rounded<S>(human_speed),       rounded<S>(robot_speed),        rounded<S>(reaction_time),
-            rounded<S>(stopping_time),     rounded<S>(stopping_distance),  rounded<S>(intrusion_distance),
+  template <class S>
+  Separation<S> as() const {
+    return {rounded<S>(human_speed),       rounded<S>(robot_speed),       rounded<S>(reaction_time),
+            rounded<S>(stopping_time),     rounded<S>(stopping_distance), rounded<S>(intrusion_distance),
             rounded<S>(human_uncertainty), rounded<S>(robot_uncertainty)};
   }
 };
@@ -155,7 +164,8 @@ struct TrueSeparation {
 constexpr TrueSeparation usual{1.6L, 1, 0.08L, 0.2L, 0.1L, 0.05L, 0.03L, 0.02L};
 constexpr Real slow_override = 0.2L, slow_margin = 0.3L;
 
-template <class S> void expect_protective_distance_is_close(Random& random) {
+template <class S>
+void expect_protective_distance_is_close(Random& random) {
   // Fixed: eight units in the last place. float: eight units at the size of the result.
   Real greatest = 0;
   Failures close;
@@ -165,12 +175,14 @@ template <class S> void expect_protective_distance_is_close(Random& random) {
                                random.uniform(0, 0.1L), random.uniform(0, 0.1L)};
     const S fraction = rounded<S>(random.uniform());
     const Real exact = truth.protective_distance(real(fraction));
-    const Real off = std::fabs(real(truth.as<S>().protective_distance(fraction)) - exact) / last_place<S>(exact);
+    const Real off =
+        std::fabs(real(truth.as<S>().protective_distance(fraction)) - exact) / last_place<S>(exact);
     greatest = std::max(greatest, off);
     close.check(off <= 8, [&](std::ostream& out) { out << off << " units in the last place"; });
   }
   close.expect_none("protective_distance");
-  std::printf("%s: protective distance within %.2Lf units in the last place\n", ScalarName<S>::text().c_str(), greatest);
+  std::printf("%s: protective distance within %.2Lf units in the last place\n", ScalarName<S>::text().c_str(),
+              greatest);
 }
 
 TEST(Zone, ProtectiveDistanceIsThatOfTheStandard) {
@@ -180,9 +192,11 @@ TEST(Zone, ProtectiveDistanceIsThatOfTheStandard) {
   expect_protective_distance_is_close<float>(random);
 }
 
-// The robot may always be as fast as it is: the protective distance at the override that a clearance allows is no more
-// than the clearance. The ramp starts where the slowed robot is safe and ends a margin beyond where the fast one is.
-template <class S> void expect_allowed_speed_is_safe() {
+// The robot may always be as fast as it is: the protective distance at the override that a clearance allows
+// is no more than the clearance. The ramp starts where the slowed robot is safe and ends a margin beyond
+// where the fast one is.
+template <class S>
+void expect_allowed_speed_is_safe() {
   const Separation<S> separation = usual.as<S>();
   const S stop = separation.protective_distance(rounded<S>(slow_override));
   const S free = separation.protective_distance(ScalarTraits<S>::one()) + rounded<S>(slow_margin);
@@ -200,8 +214,8 @@ template <class S> void expect_allowed_speed_is_safe() {
     });
   }
   safe.expect_none("protective_distance(override(c)) <= c");
-  std::printf("%s: least reserve %.4Lf m between %.4Lf and %.4Lf m\n", ScalarName<S>::text().c_str(), least_reserve,
-              real(stop), real(free));
+  std::printf("%s: least reserve %.4Lf m between %.4Lf and %.4Lf m\n", ScalarName<S>::text().c_str(),
+              least_reserve, real(stop), real(free));
 }
 
 TEST(Zone, AllowedSpeedIsSafe) {

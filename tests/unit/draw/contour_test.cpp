@@ -73,7 +73,9 @@ TEST(Contour, LevelsOfADistanceAreEvenlySpaced) {
     const Polyline line = contour_lines(grid, k * 0.1).at(0);
     double mean = 0.0;
     for (const Point& p : line.points) mean += radius(p) / static_cast<double>(line.points.size());
-    if (k > -6) EXPECT_NEAR(mean - previous, 0.1, 2e-4);
+    if (k > -6) {
+      EXPECT_NEAR(mean - previous, 0.1, 2e-4);
+    }
     previous = mean;
   }
 }
@@ -118,7 +120,9 @@ TEST(Contour, EveryCornerPatternSeparatesLowFromHigh) {
         const double turn = (b.x - a.x) * (position[i].y - a.y) - (b.y - a.y) * (position[i].x - a.x);
         const bool touches = std::fabs(position[i].x - a.x) + std::fabs(position[i].y - a.y) < 0.6 ||
                              std::fabs(position[i].x - b.x) + std::fabs(position[i].y - b.y) < 0.6;
-        if (touches) EXPECT_EQ(turn > 0.0, corner(i) < 0.0) << pattern << ' ' << i;
+        if (touches) {
+          EXPECT_EQ(turn > 0.0, corner(i) < 0.0) << pattern << ' ' << i;
+        }
       }
     }
   }
@@ -210,7 +214,9 @@ TEST(Contour, SameLinesTwice) {
   ASSERT_GT(once.size(), 5u);
   bool closed_seen = false;
   for (std::size_t i = 0; i < once.size(); ++i) {
-    if (closed_seen) EXPECT_TRUE(once[i].closed) << "open lines come first";
+    if (closed_seen) {
+      EXPECT_TRUE(once[i].closed) << "open lines come first";
+    }
     closed_seen = closed_seen || once[i].closed;
     ASSERT_EQ(once[i].points.size(), twice[i].points.size());
     EXPECT_EQ(once[i].points.front().x, twice[i].points.front().x);

@@ -187,7 +187,9 @@ TEST(Decimate, KeepsEveryMinimumAndMaximumOfASpan) {
     greatest[b] = std::max(greatest[b], values[i]);
   }
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    if (k > 0) ASSERT_LT(kept[k - 1], kept[k]);
+    if (k > 0) {
+      ASSERT_LT(kept[k - 1], kept[k]);
+    }
     const std::size_t b = bucket_of(times[kept[k]], times.front(), times.back(), buckets);
     kept_least[b] = std::min(kept_least[b], values[kept[k]]);
     kept_greatest[b] = std::max(kept_greatest[b], values[kept[k]]);

@@ -13,19 +13,20 @@ enum class SetOperation : uint8_t { unite, intersect, subtract };
 
 namespace detail {
 
-template <class Out> constexpr Out negated(const Out& a) {
-  Out out;
-  out.value = -a.value;
-  if constexpr (Out::has_gradient) out.gradient = -a.gradient;
-  return out;
-}
-
-// Operands of B and its result, brought from and to the distance convention.
-template <SetOperation operation, class Out, class Maximum>
-constexpr Out as_maximum(const Out& a, const Out& b, const Maximum& maximum) {
-  if constexpr (operation == SetOperation::unite) return negated(maximum(negated(a), negated(b)));
-  else if constexpr (operation == SetOperation::intersect) return maximum(a, b);
-  else return maximum(a, negated(b));
+// The operand that decides and the other one, as B sees them: the nearer one for a union, otherwise the farther; a
+// subtraction's second operand negated. On ties the first decides.
+template <class Out> struct Ordered {
+  Out deciding, other;
+};
+template <SetOperation operation, class Out> constexpr Ordered<Out> ordered(const Out& a, const Out& b) {
+  Out second = b;
+  if constexpr (operation == SetOperation::subtract) {
+    using S = typename Out::Scalar;
+    second.value = subtract_in_range(S{}, b.value);
+    if constexpr (Out::has_gradient) second.gradient = subtract_in_range(Vector3<S>{}, b.gradient);
+  }
+  const bool first_decides = operation == SetOperation::unite ? !(second.value < a.value) : !(a.value < second.value);
+  return first_decides ? Ordered<Out>{a, second} : Ordered<Out>{second, a};
 }
 
 template <class S> constexpr Certificate<S> worst_of(const Certificate<S>& a, const Certificate<S>& b) {
@@ -47,7 +48,7 @@ template <class S, SetOperation operation> struct Sharp {
   static constexpr Kind kind = Kind::distance;
 
   template <class Out> constexpr Out combine(const Out& a, const Out& b) const {
-    return detail::as_maximum<operation>(a, b, [](const Out& x, const Out& y) { return x.value < y.value ? y : x; });
+    return detail::ordered<operation>(a, b).deciding;
   }
   constexpr Certificate<S> certificate(const Certificate<S>& a, const Certificate<S>& b) const {
     Certificate<S> both = detail::worst_of(a, b);
@@ -68,9 +69,21 @@ template <class S, SetOperation operation> struct Exterior {
   ArgumentScale<S> scale;  // its limit is the range, metres
 
   template <class Out> constexpr Out combine(const Out& a, const Out& b, const TableView<S>& kernel) const {
-    return detail::as_maximum<operation>(a, b, [this, &kernel](const Out& x, const Out& y) {
-      return maximum(x.value < y.value ? y : x, x.value < y.value ? x : y, kernel);
-    });
+    const detail::Ordered<Out> operands = detail::ordered<operation>(a, b);
+    const Out& deciding = operands.deciding;
+    const Out& other = operands.other;
+    const auto gap = operation == SetOperation::unite ? difference_magnitude(other.value, deciding.value)
+                                                      : difference_magnitude(deciding.value, other.value);
+    if (!scale.contains(gap)) return deciding;
+    const TableSample<S> h = sample_table<Out::has_gradient>(kernel, scale.argument(gap));
+    const S added = narrow_in_range<S>(product(scale.limit, h.value));
+    Out out;
+    out.value = operation == SetOperation::unite ? deciding.value - added : deciding.value + added;
+    if constexpr (Out::has_gradient) {
+      const Vector3<S> &d = deciding.gradient, &o = other.gradient;
+      out.gradient = {mixed(d.x, o.x, h.slope), mixed(d.y, o.y, h.slope), mixed(d.z, o.z, h.slope)};
+    }
+    return out;
   }
 
   // With d = |1 + h'| + |h'| <= 1 + 2 b: error d max(e) + range * table error + 2 rounding units.
@@ -97,20 +110,10 @@ template <class S, SetOperation operation> struct Exterior {
   }
 
  private:
-  template <class Out> constexpr Out maximum(const Out& high, const Out& low, const TableView<S>& kernel) const {
-    const auto gap = difference_magnitude(high.value, low.value);
-    if (!scale.contains(gap)) return high;
-    const TableSample<S> h = sample_table<Out::has_gradient>(kernel, scale.argument(gap));
-    Out out;
-    out.value = high.value + narrow_in_range<S>(product(scale.limit, h.value));
-    if constexpr (Out::has_gradient) {
-      out.gradient = {mixed(high.gradient.x, low.gradient.x, h.slope), mixed(high.gradient.y, low.gradient.y, h.slope),
-                      mixed(high.gradient.z, low.gradient.z, h.slope)};
-    }
-    return out;
+  // (1 + slope) deciding - slope other; gradients are at most a few units long.
+  static constexpr S mixed(S deciding, S other, S slope) {
+    return add_in_range(deciding, narrow_in_range<S>(product(slope, subtract_in_range(deciding, other))));
   }
-  // (1 + slope) high - slope low.
-  static constexpr S mixed(S high, S low, S slope) { return high + narrow<S>(product(slope, high - low)); }
 
   // high - low >= 0, exact even where S has no room for it.
   template <int F, class R> static constexpr uint32_t difference_magnitude(Fixed<F, R> high, Fixed<F, R> low) {

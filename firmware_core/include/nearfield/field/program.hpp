@@ -29,86 +29,109 @@ template <class S> class Program {
 
   // Precondition: status ok, p within the domain, slot_count() valid poses in `slots` (null if there are none).
   template <class Out> Out evaluate(const Vector3<S>& p, const Pose<S>* slots) const {
-    Machine<Out> machine{p, slots, {}, {}, 0, 0};
+    Machine<Out> machine(p, slots);
     for (const uint32_t *at = image_ + first_, *last = image_ + last_; at != last;) {
       const uint32_t word = *at++;
       step(machine, static_cast<Operation>(word & 0xffu), at);
       at += word >> 8;
     }
-    return machine.results[0];
+    return machine.top;
   }
 
  private:
-  struct Frame {
-    Vector3<S> outer_point;
-    const Pose<S>* slot;
-    const uint32_t* constant;
-  };
+  // The result on top of the stack is kept apart, so that it stays in registers. What is below it, and the frames, are
+  // plain words: they need no initialisation.
   template <class Out> struct Machine {
+    static constexpr uint32_t result_words = payload_words<Out>, point_words = payload_words<Vector3<S>>;
+
+    Machine(const Vector3<S>& p, const Pose<S>* poses) : point(p), slots(poses) {}
+
+    void push(const Out& result) {
+      store(below + depth * result_words, top);
+      ++depth;
+      top = result;
+    }
+    Out pop_below() {
+      --depth;
+      return fetch<Out>(below + depth * result_words);
+    }
+    void enter(const Pose<S>* slot, const uint32_t* constant, const Vector3<S>& inner_point) {
+      store(outer_points + frame_depth * point_words, point);
+      frame_slot[frame_depth] = slot;
+      frame_constant[frame_depth] = constant;
+      ++frame_depth;
+      point = inner_point;
+    }
+    void leave() {
+      --frame_depth;
+      point = fetch<Vector3<S>>(outer_points + frame_depth * point_words);
+      if constexpr (Out::has_gradient) {
+        const Pose<S>* slot = frame_slot[frame_depth];
+        top.gradient = slot != nullptr ? rotate(slot->rotation, top.gradient)
+                                       : rotate(fetch<Pose<S>>(frame_constant[frame_depth]).rotation, top.gradient);
+      }
+    }
+
     Vector3<S> point;
     const Pose<S>* slots;
-    Out results[kStackDepth];
-    Frame frames[kFrameDepth];
-    int depth, frame_depth;
+    Out top;
+    uint32_t depth = 0, frame_depth = 0;
+    // One more than the depth that validation allows: the first push saves a result that nobody asks for.
+    uint32_t below[(kStackDepth + 1) * result_words];
+    uint32_t outer_points[kFrameDepth * point_words];
+    const Pose<S>* frame_slot[kFrameDepth];
+    const uint32_t* frame_constant[kFrameDepth];
   };
+
+  // Words of the image or the machine as values: a copy that the compiler turns into loads.
+  template <class T> static T fetch(const uint32_t* words) {
+    T value;
+    if constexpr (payload_words<T> != 0) __builtin_memcpy(static_cast<void*>(&value), words, sizeof(T));
+    return value;
+  }
+  template <class T> static void store(uint32_t* words, const T& value) {
+    __builtin_memcpy(words, static_cast<const void*>(&value), sizeof(T));
+  }
 
   TableView<S> table(uint32_t reference) const {
     const uint32_t* t = image_ + reference;
     return {t + image_format::table_header_words, static_cast<int>(t[0]), static_cast<int>(t[1])};
   }
 
-  template <class Out> void step(Machine<Out>& m, Operation operation, const uint32_t* payload) const {
+  template <class Out>
+  __attribute__((always_inline)) void step(Machine<Out>& m, Operation operation, const uint32_t* payload) const {
     switch (operation) {
-#define NEARFIELD_CASE(code, name, type)                                                                     \
-  case Operation::name:                                                                                      \
-    m.results[m.depth++] = detail::read_payload<type<S>>(payload).template evaluate<Out>(m.point);           \
+#define NEARFIELD_CASE(code, name, type)                                      \
+  case Operation::name:                                                       \
+    m.push(fetch<type<S>>(payload).template evaluate<Out>(m.point));          \
     return;
       NEARFIELD_SHAPES(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
-#define NEARFIELD_CASE(code, name, type)                                                                     \
-  case Operation::name:                                                                                      \
-    m.results[m.depth++] = detail::read_payload<type<S>>(payload).template evaluate<Out>(                    \
-        m.point, table(payload[payload_words<type<S>>]));                                                    \
+#define NEARFIELD_CASE(code, name, type)                                                                              \
+  case Operation::name:                                                                                               \
+    m.push(fetch<type<S>>(payload).template evaluate<Out>(m.point, table(payload[payload_words<type<S>>])));          \
     return;
       NEARFIELD_SHAPES_WITH_TABLE(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
-#define NEARFIELD_CASE(code, name, type)                                                                     \
-  case Operation::name:                                                                                      \
-    --m.depth;                                                                                               \
-    m.results[m.depth - 1] =                                                                                 \
-        detail::read_payload<type<S>>(payload).combine(m.results[m.depth - 1], m.results[m.depth]);          \
+#define NEARFIELD_CASE(code, name, type)                              \
+  case Operation::name:                                               \
+    m.top = fetch<type<S>>(payload).combine(m.pop_below(), m.top);    \
     return;
       NEARFIELD_BLENDS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
 #define NEARFIELD_CASE(code, name, type)                                                                     \
   case Operation::name:                                                                                      \
-    --m.depth;                                                                                               \
-    m.results[m.depth - 1] = detail::read_payload<type<S>>(payload).combine(                                 \
-        m.results[m.depth - 1], m.results[m.depth], table(payload[payload_words<type<S>>]));                 \
+    m.top = fetch<type<S>>(payload).combine(m.pop_below(), m.top, table(payload[payload_words<type<S>>]));   \
     return;
       NEARFIELD_BLENDS_WITH_TABLE(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
       case Operation::enter_pose:
-        m.frames[m.frame_depth++] = {m.point, nullptr, payload};
-        m.point = to_inner(detail::read_payload<Pose<S>>(payload), m.point);
+        m.enter(nullptr, payload, to_inner(fetch<Pose<S>>(payload), m.point));
         return;
-      case Operation::enter_slot: {
-        const Pose<S>* slot = m.slots + payload[0];
-        m.frames[m.frame_depth++] = {m.point, slot, nullptr};
-        m.point = to_inner(*slot, m.point);
+      case Operation::enter_slot:
+        m.enter(m.slots + payload[0], nullptr, to_inner(m.slots[payload[0]], m.point));
         return;
-      }
-      case Operation::leave: {
-        const Frame& frame = m.frames[--m.frame_depth];
-        m.point = frame.outer_point;
-        if constexpr (Out::has_gradient) {
-          Vector3<S>& gradient = m.results[m.depth - 1].gradient;
-          gradient = frame.slot != nullptr
-                         ? rotate(frame.slot->rotation, gradient)
-                         : rotate(detail::read_payload<Pose<S>>(frame.constant).rotation, gradient);
-        }
-        return;
-      }
+      case Operation::leave: m.leave(); return;
     }
   }
 

@@ -5,21 +5,12 @@
 
 namespace nearfield {
 
-// root = floor(sqrt(x)), exact for every x.
-// reciprocal / 2^30 approximates 2^(32 - shift) / sqrt(x), never above it, within 2^-27 of it (relatively);
-// below 2^31. For x = 0 all three are 0.
-struct RootParts {
-  uint32_t root;
-  int32_t reciprocal;
-  int shift;  // sqrt(x) lies in [2^(31 - shift), 2^(32 - shift))
-};
-
 namespace detail {
 
 // Tangents to 1/sqrt(u) at the middle of each of the 48 intervals of width 1/64 that cover [1/4, 1).
 struct ReciprocalRootSeeds {
-  uint32_t value[48] = {};  // Q31
-  uint32_t slope[48] = {};  // minus the slope, Q28
+  int32_t value[48] = {};  // Q30
+  int32_t slope[48] = {};  // minus the slope, Q28
 };
 
 constexpr ReciprocalRootSeeds make_reciprocal_root_seeds() {
@@ -28,41 +19,71 @@ constexpr ReciprocalRootSeeds make_reciprocal_root_seeds() {
     const double u = (2.0 * (i + 16) + 1.0) / 128.0;
     double y = 1.5;
     for (int step = 0; step < 6; ++step) y = y * (3.0 - u * y * y) / 2.0;
-    seeds.value[i] = static_cast<uint32_t>(y * 2147483648.0);
-    seeds.slope[i] = static_cast<uint32_t>(y / (2.0 * u) * 268435456.0);
+    seeds.value[i] = static_cast<int32_t>(y * 1073741824.0);
+    seeds.slope[i] = static_cast<int32_t>(y / (2.0 * u) * 268435456.0);
   }
   return seeds;
 }
 
 inline constexpr ReciprocalRootSeeds kReciprocalRootSeeds = make_reciprocal_root_seeds();
 
-}  // namespace detail
+// x * 4^shift in [2^62, 2^64), and y just below 2^63 / sqrt(that), Q31.
+struct Normalised {
+  uint64_t m;
+  uint32_t y;
+  int shift;
+};
 
-// Cost: about 70 instructions on Cortex-M4; the same for every x > 0.
-constexpr RootParts root_parts(uint64_t x) {
-  if (x == 0) return {0, 0, 0};
+constexpr Normalised normalise(uint64_t x) {
   const int shift = leading_zeros(x) >> 1;
   const uint64_t m = x << (2 * shift);
   const uint32_t u = static_cast<uint32_t>(m >> 32);  // [1/4, 1) in Q32
 
   const uint32_t index = (u >> 26) - 16;
-  const int32_t from_middle = static_cast<int32_t>((u & 0x03ffffffu)) - 0x02000000;  // Q32
-  uint32_t y = detail::kReciprocalRootSeeds.value[index] -
-               static_cast<uint32_t>((static_cast<int64_t>(from_middle) * detail::kReciprocalRootSeeds.slope[index]) >> 29);
-  for (int newton = 0; newton < 2; ++newton) {
-    const uint64_t product = static_cast<uint64_t>(u) * multiply_high(y, y);  // u y^2 in Q62
-    const int32_t residual = static_cast<int32_t>(static_cast<int64_t>((uint64_t{1} << 62) - product) >> 30);
-    y += static_cast<uint32_t>((static_cast<int64_t>(y) * residual) >> 33);
-  }
-  y -= 8;  // below 1/sqrt(u) whatever was truncated above; see tests/exhaustive/sqrt_test.cpp
+  const int32_t from_middle = static_cast<int32_t>((u & 0x03ffffffu) << 2) - 0x08000000;  // Q34
+  const int32_t seed = kReciprocalRootSeeds.value[index] - multiply_high(from_middle, kReciprocalRootSeeds.slope[index]);
+  // Newton steps y += y (1 - u y^2) / 2: the first in Q28, which is as good as its result can be ...
+  const uint32_t square = multiply_high(static_cast<uint32_t>(seed), static_cast<uint32_t>(seed));
+  const int32_t residual = (1 << 28) - static_cast<int32_t>(multiply_high(u, square));
+  uint32_t y = static_cast<uint32_t>(seed + multiply_high(seed, residual * 8)) << 1;
+  // ... the second in Q62.
+  const uint64_t product = static_cast<uint64_t>(u) * multiply_high(y, y);
+  const int32_t rest = static_cast<int32_t>(static_cast<int64_t>((uint64_t{1} << 62) - product) >> 30);
+  y += static_cast<uint32_t>((static_cast<int64_t>(y) * rest) >> 33);
+  return {m, y - 8, shift};  // below 1/sqrt(u) whatever was truncated above; see tests/exhaustive/sqrt_test.cpp
+}
 
-  const uint32_t below = static_cast<uint32_t>((static_cast<uint64_t>(u) * y) >> 31);
-  const uint64_t remainder = m - static_cast<uint64_t>(below) * below;
+}  // namespace detail
+
+// reciprocal / 2^30 approximates 2^(32 - shift) / sqrt(x), never above it, within 2^-27 of it (relatively); below
+// 2^31. sqrt(x) lies in [2^(31 - shift), 2^(32 - shift)). Both are 0 for x = 0.
+// Cost: 50 instructions on Cortex-M4; the same for every x > 0.
+struct ReciprocalRoot {
+  int32_t reciprocal;
+  int shift;
+};
+constexpr ReciprocalRoot reciprocal_root(uint64_t x) {
+  if (x == 0) return {0, 0};
+  const detail::Normalised n = detail::normalise(x);
+  return {static_cast<int32_t>(n.y >> 1), n.shift};
+}
+
+// The same, with root = floor(sqrt(x)), exact for every x. Cost: 75 instructions on Cortex-M4.
+struct RootParts {
+  uint32_t root;
+  int32_t reciprocal;
+  int shift;
+};
+constexpr RootParts root_parts(uint64_t x) {
+  if (x == 0) return {0, 0, 0};
+  const detail::Normalised n = detail::normalise(x);
+  const uint32_t below = static_cast<uint32_t>(((n.m >> 32) * n.y) >> 31);
+  const uint64_t remainder = n.m - static_cast<uint64_t>(below) * below;
   const uint32_t step = static_cast<uint32_t>(remainder >> 6);
-  uint32_t root = below + (step > 8 ? multiply_high(step - 8, y) >> 26 : 0);
-  const uint64_t rest = m - static_cast<uint64_t>(root) * root;
+  uint32_t root = below + (step > 8 ? multiply_high(step - 8, n.y) >> 26 : 0);
+  const uint64_t rest = n.m - static_cast<uint64_t>(root) * root;
   if (rest > 2 * static_cast<uint64_t>(root)) ++root;
-  return {root >> shift, static_cast<int32_t>(y >> 1), shift};
+  return {root >> n.shift, static_cast<int32_t>(n.y >> 1), n.shift};
 }
 
 // floor(sqrt(x)).

@@ -51,26 +51,36 @@ template <class S, class To> struct Polar {
 
 namespace detail {
 
-template <class To> constexpr To direction_component(int32_t v, const RootParts& parts) {
+template <class To> constexpr To direction_component(int32_t v, int normalising_shift, int32_t reciprocal) {
   // |v| < 2^(32 - shift): brought to 31 bits, so that the shift that remains is a constant.
-  const int32_t v31 = parts.shift == 0 ? v >> 1 : shift_left(v, parts.shift - 1);
+  const int32_t v31 = normalising_shift == 0 ? v >> 1 : shift_left(v, normalising_shift - 1);
   constexpr int shift = 61 - To::fraction_bits;
-  const int64_t exact = static_cast<int64_t>(v31) * parts.reciprocal;
+  const int64_t exact = static_cast<int64_t>(v31) * reciprocal;
   return To::from_raw(static_cast<typename To::Raw>((exact + (int64_t{1} << (shift - 1))) >> shift));
 }
 
 }  // namespace detail
 
 template <class To, int F, class R> constexpr Polar<Fixed<F, R>, To> polar(const Vector3<Fixed<F, R>>& v) {
-  const RootParts parts = root_parts(sum_of_squares(v.x, v.y, v.z));
-  return {root_to_scalar<Fixed<F, R>>(parts.root),
-          {detail::direction_component<To>(v.x.raw(), parts), detail::direction_component<To>(v.y.raw(), parts),
-           detail::direction_component<To>(v.z.raw(), parts)}};
+  const RootParts root = root_parts(sum_of_squares(v.x, v.y, v.z));
+  return {root_to_scalar<Fixed<F, R>>(root.root),
+          {detail::direction_component<To>(v.x.raw(), root.shift, root.reciprocal),
+           detail::direction_component<To>(v.y.raw(), root.shift, root.reciprocal),
+           detail::direction_component<To>(v.z.raw(), root.shift, root.reciprocal)}};
 }
 template <class To> constexpr Polar<float, float> polar(const Vector3<float>& v) {
   const float length = square_root(sum_of_squares(v.x, v.y, v.z));
   if (!(length > 0.0f)) return {};
   return {length, {v.x / length, v.y / length, v.z / length}};
 }
+
+// The direction alone: the same bits, 25 instructions less.
+template <class To, int F, class R> constexpr Vector3<To> direction_of(const Vector3<Fixed<F, R>>& v) {
+  const ReciprocalRoot root = reciprocal_root(sum_of_squares(v.x, v.y, v.z));
+  return {detail::direction_component<To>(v.x.raw(), root.shift, root.reciprocal),
+          detail::direction_component<To>(v.y.raw(), root.shift, root.reciprocal),
+          detail::direction_component<To>(v.z.raw(), root.shift, root.reciprocal)};
+}
+template <class To> constexpr Vector3<float> direction_of(const Vector3<float>& v) { return polar<To>(v).direction; }
 
 }  // namespace nearfield

@@ -75,14 +75,13 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   constexpr uint32_t budget() const {
     const uint32_t bodies = arm->body_count(), person_bodies = person == nullptr ? 0 : person->body_count();
     const uint32_t joints = arm->link_count() + (person == nullptr ? 0u : person->link_count());
-    const uint32_t evaluations = static_cast<uint32_t>(effort.evaluations);
+    const uint32_t evaluations = bodies + static_cast<uint32_t>(effort.refinements);
     return 1500 + joints * cost_per_joint + (bodies + person_bodies) * cost_per_placed_body +
-           bodies * (evaluations * (cell->budget().value + cost_per_stretch) + cell->budget().gradient) +
-           (bodies * person_bodies + self_pair_count) * cost_per_pair +
+           bodies * kCapsuleCheckCost + evaluations * (cell->budget().value + kStretchCost) + cell->budget().gradient +
+           (bodies * person_bodies + self_pair_count) * kCapsulePairCost +
            (soft == nullptr ? 0 : soft->budget().gradient + joints * cost_per_pose_check);
   }
-  static constexpr uint32_t cost_per_joint = 900, cost_per_placed_body = 120, cost_per_stretch = 330,
-                            cost_per_pair = 480, cost_per_pose_check = 260;
+  static constexpr uint32_t cost_per_joint = 900, cost_per_placed_body = 120, cost_per_pose_check = 260;
 
  private:
   static constexpr void keep_nearer(NearestBodies<S>& least, const Clearance<S>& candidate, uint16_t body, uint16_t other) {
@@ -93,11 +92,16 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   }
 
   constexpr void to_cell(const Capsule<S>* bodies, NearestBodies<S>& least) const {
-    least.clearance = nothing_there();
+    MovedCapsule<S> moved[ArmChain::max_bodies] = {};
+    Stretch<S> stretches[ArmChain::max_bodies + kMostRefinements] = {};
+    uint16_t count = 0;
     for (uint16_t i = 0; i < arm->body_count(); ++i) {
-      if (checked_against_cell[i] == 0) continue;
-      keep_nearer(least, clearance(*cell, bodies[i], arm->body_error(i), effort), i, kNoBody);
+      if (checked_against_cell[i] != 0) moved[count++] = {bodies[i], arm->body_error(i), i};
     }
+    least.clearance = nothing_there();
+    if (count == 0) return;
+    const NearestCapsule<S> nearest = clearance(*cell, moved, count, stretches, effort);
+    least = {nearest.clearance, nearest.number, kNoBody};
   }
   constexpr void to_person(const Capsule<S>* bodies, const Pose<S>* person_poses, NearestBodies<S>& least) const {
     least.clearance = nothing_there();

@@ -1,0 +1,35 @@
+#!/bin/sh
+# The default work cell, baked and run on the emulated board: the host's digest, no tick above 100,000 instructions or
+# above its budget, and no more stack than the call graph permits.
+set -eu
+. "$(dirname -- "$0")/image/build_image.sh"
+skip_without arm-none-eabi-g++ arm-none-eabi-objdump qemu-system-arm
+
+most_instructions=100000
+
+build_image
+"$host_tool" sim --output simulation >host.txt
+status=0
+"$source_dir/toolchains/qemu-mps2.sh" "$image" >target.txt || status=$?
+cat target.txt
+
+host_digest=$(grep '^digest [0-9a-f]\{16\}$' host.txt) || fail "the host prints no digest"
+target_digest=$(grep '^digest [0-9a-f]\{16\}$' target.txt) || fail "the target prints no digest (exit status $status)"
+[ "$target_digest" = "$host_digest" ] || fail "the target's $target_digest is not the host's $host_digest"
+
+figure() { sed -n "s/^.*$1 \([0-9]*\).*\$/\1/p" target.txt; }
+worst=$(figure worst)
+budget=$(figure budget)
+stack=$(figure 'greatest stack')
+[ -n "$worst" ] && [ -n "$budget" ] || fail "the target prints no instructions a tick"
+[ -n "$stack" ] || fail "the target prints no greatest stack"
+[ "$worst" -le "$budget" ] || fail "the worst tick took $worst instructions, above the budget of $budget"
+[ "$worst" -le "$most_instructions" ] || fail "the worst tick took $worst instructions, above $most_instructions"
+[ "$status" -eq 0 ] || fail "the image ended with status $status"
+
+arm-none-eabi-objdump -d --no-show-raw-insn "$image" |
+  awk -v root=reset_handler -f "$source_dir/tests/target/image/call_graph.awk" >call_graph.txt ||
+  fail "$(cat call_graph.txt)"
+bound=$(sed -n 's/^stack //p' call_graph.txt)
+echo "greatest stack by the call graph $bound bytes"
+[ "$stack" -le "$bound" ] || fail "the run used $stack bytes of stack, the call graph permits $bound"
