@@ -28,7 +28,8 @@ int64_t clipped(int64_t raw) { return raw < kLeast ? kLeast : raw > kGreatest ? 
 // The representative of raw modulo 256 within the range.
 int64_t wrapped(int64_t raw) { return raw - 256 * floor_divide(raw + 128, 256); }
 
-template <class Number> Number number(int64_t raw) {
+template <class Number>
+Number number(int64_t raw) {
   return Number::from_raw(static_cast<typename Number::Raw>(raw));
 }
 
@@ -43,11 +44,13 @@ void expect_saturating(int64_t exact, const Operation& operation, int64_t a, int
   EXPECT_TRUE(sticky.saturated) << a << ", " << b;
 }
 
-template <class Number> class Fixed8 : public testing::Test {};
+template <class Number>
+class Fixed8 : public testing::Test {};
 using Formats = testing::Types<Fixed<0, int8_t>, Fixed<4, int8_t>, Fixed<6, int8_t>>;
-TYPED_TEST_SUITE(Fixed8, Formats);
+TYPED_TEST_SUITE(Fixed8, Formats, );
 
-template <class Visit> void for_every_pair(const Visit& visit) {
+template <class Visit>
+void for_every_pair(const Visit& visit) {
   for (int64_t a = kLeast; a <= kGreatest; ++a) {
     for (int64_t b = kLeast; b <= kGreatest; ++b) visit(a, b);
   }
@@ -59,8 +62,10 @@ TYPED_TEST(Fixed8, SumAndDifference) {
     const N x = number<N>(a), y = number<N>(b);
     EXPECT_EQ((x + y).raw(), clipped(a + b));
     EXPECT_EQ((x - y).raw(), clipped(a - b));
-    expect_saturating<N>(a + b, [&](ArithmeticStatus& status) { return add(x, y, status); }, a, b);
-    expect_saturating<N>(a - b, [&](ArithmeticStatus& status) { return subtract(x, y, status); }, a, b);
+    expect_saturating<N>(
+        a + b, [&](ArithmeticStatus& status) { return add(x, y, status); }, a, b);
+    expect_saturating<N>(
+        a - b, [&](ArithmeticStatus& status) { return subtract(x, y, status); }, a, b);
     EXPECT_EQ(add_in_range(x, y).raw(), wrapped(a + b)) << a << " + " << b;
     EXPECT_EQ(subtract_in_range(x, y).raw(), wrapped(a - b)) << a << " - " << b;
   });
@@ -73,7 +78,8 @@ TYPED_TEST(Fixed8, Product) {
     const N x = number<N>(a), y = number<N>(b);
     const int64_t exact = round_half_up(a * b, one);
     EXPECT_EQ((x * y).raw(), clipped(exact)) << a << " * " << b;
-    expect_saturating<N>(exact, [&](ArithmeticStatus& status) { return multiply(x, y, status); }, a, b);
+    expect_saturating<N>(
+        exact, [&](ArithmeticStatus& status) { return multiply(x, y, status); }, a, b);
     EXPECT_EQ(product(x, y).raw, a * b);
   });
 }
@@ -84,8 +90,8 @@ TYPED_TEST(Fixed8, Quotient) {
   for_every_pair([](int64_t a, int64_t b) {
     const N x = number<N>(a), y = number<N>(b);
     if (b != 0) {
-      expect_saturating<N>(round_half_up(a * one, b),
-                           [&](ArithmeticStatus& status) { return divide(x, y, status); }, a, b);
+      expect_saturating<N>(
+          round_half_up(a * one, b), [&](ArithmeticStatus& status) { return divide(x, y, status); }, a, b);
       return;
     }
     ArithmeticStatus status;
@@ -144,15 +150,18 @@ TYPED_TEST(Fixed8, FromReal) {
   EXPECT_EQ(N(std::numeric_limits<double>::quiet_NaN()).raw(), kLeast);
 }
 
-// Narrowing from a product of WideFraction fraction bits, for every 16-bit value that the product type can hold.
-template <int WideFraction, class To> void expect_narrowing() {
+// Narrowing from a product of WideFraction fraction bits, for every 16-bit value that the product type can
+// hold.
+template <int WideFraction, class To>
+void expect_narrowing() {
   constexpr int shift = WideFraction - To::fraction_bits;
   constexpr int64_t divisor = int64_t{1} << shift;
   for (int64_t raw = -32768; raw <= 32767; ++raw) {
     const WideProduct<WideFraction, int8_t> wide = {static_cast<int16_t>(raw)};
     const int64_t exact = round_half_up(raw, divisor);
     EXPECT_EQ(narrow<To>(wide).raw(), clipped(exact)) << raw;
-    expect_saturating<To>(exact, [&](ArithmeticStatus& status) { return narrow<To>(wide, status); }, raw, shift);
+    expect_saturating<To>(
+        exact, [&](ArithmeticStatus& status) { return narrow<To>(wide, status); }, raw, shift);
     // The rounding itself must stay within the product's 16 bits for the one-instruction form.
     if (raw + divisor / 2 > 32767) continue;
     EXPECT_EQ(narrow_in_range<To>(wide).raw(), wrapped(exact)) << raw << " to " << To::fraction_bits;
@@ -195,7 +204,8 @@ TEST(Fixed8Narrowing, SumsOfProductsWrapAtSixteenBits) {
 TYPED_TEST(Fixed8, HelpersOfGenericCode) {
   using N = TypeParam;
   using T = ScalarTraits<N>;
-  const int64_t rates[] = {0, 1, 1 << 23, (1 << 24) - 1, 1 << 24, (1 << 24) + 1, 3 << 23, 5 << 24, 0x7fffffff};
+  const int64_t rates[] = {0,       1,       1 << 23,   (1 << 24) - 1, 1 << 24, (1 << 24) + 1,
+                           3 << 23, 5 << 24, 0x7fffffff};
   for (int64_t a = kLeast; a <= kGreatest; ++a) {
     const N x = number<N>(a);
     EXPECT_EQ(T::half(x).raw(), floor_divide(a, 2));

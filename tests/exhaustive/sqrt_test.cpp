@@ -133,7 +133,8 @@ class FloatCheck {
   void add(uint32_t bits) {
     const float x = bits_as<float>(bits);
     ++count_;
-    if (bits_as<uint32_t>(square_root(x)) != bits_as<uint32_t>(std::sqrt(x)) && wrong_++ == 0) example_ = bits;
+    if (bits_as<uint32_t>(square_root(x)) != bits_as<uint32_t>(std::sqrt(x)) && wrong_++ == 0)
+      example_ = bits;
   }
   void expect_none(const char* what) const {
     std::printf("%s: %llu patterns\n", what, static_cast<unsigned long long>(count_));
@@ -188,7 +189,8 @@ TEST(FloatSquareRoot, WhatHasNoRoot) {
 constexpr long double kDirectionUnits = 2;
 
 // The direction within that, and the length rounded down.
-template <class S, class To> void expect_directions(uint64_t seed, int count) {
+template <class S, class To>
+void expect_directions(uint64_t seed, int count) {
   Random random(seed);
   long double greatest = 0;
   int violations = 0;
@@ -197,9 +199,11 @@ template <class S, class To> void expect_directions(uint64_t seed, int count) {
     for (int32_t& component : raw) {
       component = static_cast<int32_t>(random.next() >> 32) >> (random.next() % 31);
       if (i % 7 == 0 && random.next() % 3 == 0) component = random.next() % 2 == 0 ? least_of<int32_t> : 0;
-      if (i % 11 == 0 && random.next() % 3 == 0) component = random.next() % 2 == 0 ? 1 : greatest_of<int32_t>;
+      if (i % 11 == 0 && random.next() % 3 == 0)
+        component = random.next() % 2 == 0 ? 1 : greatest_of<int32_t>;
     }
-    const Polar<S, To> found = polar<To>(Vector3<S>{S::from_raw(raw[0]), S::from_raw(raw[1]), S::from_raw(raw[2])});
+    const Polar<S, To> found =
+        polar<To>(Vector3<S>{S::from_raw(raw[0]), S::from_raw(raw[1]), S::from_raw(raw[2])});
     const long double x = raw[0], y = raw[1], z = raw[2];
     const long double length = std::sqrt(x * x + y * y + z * z);
     if (length == 0) {

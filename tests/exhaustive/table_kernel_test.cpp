@@ -1,5 +1,5 @@
-// The kernel on every kind of coefficients that a loader accepts, up to the ends of the number range: never an
-// overflow, and the stated roundings.
+// The kernel on every kind of coefficients that a loader accepts, up to the ends of the number range: never
+// an overflow, and the stated roundings.
 #include <nearfield/field/image.hpp>
 #include <reference/random.hpp>
 
@@ -25,9 +25,14 @@ struct UniformTable {
       for (const int32_t coefficient : c) words.push_back(static_cast<uint32_t>(coefficient));
     }
   }
-  template <class S> bool loadable() const { return detail::table_in_range<S>(words.data()); }
-  template <class S> TableView<S> view() const {
-    return {words.data() + image_format::table_header_words, static_cast<int>(words[0]), static_cast<int>(words[1])};
+  template <class S>
+  bool loadable() const {
+    return detail::table_in_range<S>(words.data());
+  }
+  template <class S>
+  TableView<S> view() const {
+    return {words.data() + image_format::table_header_words, static_cast<int>(words[0]),
+            static_cast<int>(words[1])};
   }
 };
 
@@ -45,11 +50,13 @@ bool within_stated_rounding(const UniformTable& table, const int32_t (&c)[4], ui
   const Real value = std::ldexp(static_cast<Real>(c[0]), -30) + s * (c1 + s * (c2 + s * c3)) / segments;
   const Real slope = c1 + s * (2 * c2 + s * 3 * c3);
   const Real value_off = std::fabs(std::ldexp(static_cast<Real>(found.value.raw()), -30) - value);
-  const Real slope_off = std::fabs(std::ldexp(static_cast<Real>(found.slope.raw()), -S::fraction_bits) - slope);
+  const Real slope_off =
+      std::fabs(std::ldexp(static_cast<Real>(found.slope.raw()), -S::fraction_bits) - slope);
   return value_off <= std::ldexp(2.0L, -30) && slope_off <= 3 * scale + std::ldexp(0.5L, -S::fraction_bits);
 }
 
-template <class S> void expect_stated_rounding(uint64_t seed) {
+template <class S>
+void expect_stated_rounding(uint64_t seed) {
   Random random(seed);
   int tables = 0, wrong = 0;
   for (int i = 0; i < 60000; ++i) {
@@ -76,8 +83,8 @@ template <class S> void expect_stated_rounding(uint64_t seed) {
       wrong += !within_stated_rounding<S>(table, c, static_cast<uint32_t>(random.next() >> 33));
     }
     if (wrong != 0) {
-      FAIL() << "2^" << log2_segments << " segments, headroom " << headroom << ": " << c[0] << ", " << c[1] << ", "
-             << c[2] << ", " << c[3];
+      FAIL() << "2^" << log2_segments << " segments, headroom " << headroom << ": " << c[0] << ", " << c[1]
+             << ", " << c[2] << ", " << c[3];
     }
   }
   EXPECT_GT(tables, 20000);

@@ -21,7 +21,8 @@ constexpr uint32_t kGridBits = 24;
 constexpr Real kPiReal = 3.14159265358979323846264338327950288L;
 
 // H_1, H_2, H_3 piece by piece, expanded by hand from Li's recursion.
-template <int n> Real step_of(Real t) {
+template <int n>
+Real step_of(Real t) {
   if (t <= -1) return 0;
   if (t >= 1) return 1;
   if constexpr (n == 1) return (t + 1) / 2;
@@ -33,7 +34,8 @@ template <int n> Real step_of(Real t) {
 }
 
 // h of Li's exterior blend at t = u * range, divided by the range delta + epsilon.
-template <int n> struct ExteriorReference {
+template <int n>
+struct ExteriorReference {
   Real delta, epsilon;
   explicit ExteriorReference(Real ratio) : delta(1 / (1 + ratio)), epsilon(ratio / (1 + ratio)) {}
   Real operator()(Real t) const {
@@ -42,21 +44,30 @@ template <int n> struct ExteriorReference {
   }
 };
 
-Real wyvill_of_square(Real u) { return 1 - Real{22} / 9 * u + Real{17} / 9 * u * u - Real{4} / 9 * u * u * u; }
+Real wyvill_of_square(Real u) {
+  return 1 - Real{22} / 9 * u + Real{17} / 9 * u * u - Real{4} / 9 * u * u * u;
+}
 Real quarter_sine(Real u) { return std::sin(kPiReal / 2 * u); }
 Real cubic_step_over_unit_interval(Real u) { return step_of<3>(2 * u - 1); }
 
-template <class S> typename TableArgument<S>::type grid_argument(uint32_t i) {
-  if constexpr (ScalarTraits<S>::is_fixed) return i << (31 - kGridBits);
-  else return static_cast<float>(i) * (1.0f / (1u << kGridBits));
+template <class S>
+typename TableArgument<S>::type grid_argument(uint32_t i) {
+  if constexpr (ScalarTraits<S>::is_fixed)
+    return i << (31 - kGridBits);
+  else
+    return static_cast<float>(i) * (1.0f / (1u << kGridBits));
 }
-template <class S> Real real_of(S x) {
-  if constexpr (ScalarTraits<S>::is_fixed) return static_cast<Real>(x.raw()) / (int64_t{1} << S::fraction_bits);
-  else return static_cast<Real>(x);
+template <class S>
+Real real_of(S x) {
+  if constexpr (ScalarTraits<S>::is_fixed)
+    return static_cast<Real>(x.raw()) / (int64_t{1} << S::fraction_bits);
+  else
+    return static_cast<Real>(x);
 }
 
 // What was seen of one table.
-template <class S> struct Observation {
+template <class S>
+struct Observation {
   Real error = 0;
   uint32_t worst = 0;
   Unit<S> least_value{}, greatest_value{};
@@ -77,17 +88,20 @@ template <class S> struct Observation {
   }
 };
 
-template <class S> const char* scalar_name() {
-  if constexpr (std::is_same_v<S, float>) return "float";
-  else return S::fraction_bits == 27 ? "Fixed<27>" : "Fixed<16>";
+template <class S>
+const char* scalar_name() {
+  if constexpr (std::is_same_v<S, float>)
+    return "float";
+  else
+    return S::fraction_bits == 27 ? "Fixed<27>" : "Fixed<16>";
 }
 
 template <class S, int K>
 void expect_facts(const std::string& name, const Table<S, K>& table, const Observation<S>& seen) {
   SCOPED_TRACE(name + ", " + scalar_name<S>());
   const TableFacts& facts = table.facts;
-  std::printf("%-42s %-9s error stated %9.2f observed %9.2Lf units of 2^-30\n", name.c_str(), scalar_name<S>(),
-              static_cast<double>(facts.error), std::ldexp(seen.error, 30));
+  std::printf("%-42s %-9s error stated %9.2f observed %9.2Lf units of 2^-30\n", name.c_str(),
+              scalar_name<S>(), static_cast<double>(facts.error), std::ldexp(seen.error, 30));
   EXPECT_LE(std::ldexp(seen.error, 30), static_cast<Real>(facts.error)) << "at grid place " << seen.worst;
   EXPECT_GE(std::ldexp(real_of(seen.least_value), 30), static_cast<Real>(facts.least_value));
   EXPECT_LE(std::ldexp(real_of(seen.greatest_value), 30), static_cast<Real>(facts.greatest_value));
@@ -96,12 +110,14 @@ void expect_facts(const std::string& name, const Table<S, K>& table, const Obser
 }
 
 // The last argument below knot number `knot`, and the knot itself.
-template <class S, int K> void expect_continuity(const std::string& name, const Table<S, K>& table) {
+template <class S, int K>
+void expect_continuity(const std::string& name, const Table<S, K>& table) {
   SCOPED_TRACE(name + ", " + scalar_name<S>());
   // A unit of the kernel for float; what forces may jump by for Fixed.
   const Real value_step = ScalarTraits<S>::is_fixed ? std::ldexp(1.0L, -27) : std::ldexp(1.0L, -21);
   Real slope_step = ScalarTraits<S>::is_fixed ? std::ldexp(1.0L, -24) : std::ldexp(8.0L, -21);
-  if constexpr (ScalarTraits<S>::is_fixed) slope_step = std::fmax(slope_step, std::ldexp(1.0L, -S::fraction_bits));
+  if constexpr (ScalarTraits<S>::is_fixed)
+    slope_step = std::fmax(slope_step, std::ldexp(1.0L, -S::fraction_bits));
   for (uint32_t knot = 1; knot < (1u << K); ++knot) {
     TableSample<S> below, at;
     Real apart;
@@ -125,12 +141,16 @@ template <class S, int K> void expect_continuity(const std::string& name, const 
 }
 
 // One table and what was seen of it.
-template <class S, int K> struct TableCheck {
+template <class S, int K>
+struct TableCheck {
   Table<S, K> table;
   Observation<S> seen;
 
-  template <class Function> explicit TableCheck(const Function& function) : table(bake<S, K>(function)) {}
-  void add(uint32_t i, Real truth) { seen.add(i, truth, sample_table<true>(table.view(), grid_argument<S>(i))); }
+  template <class Function>
+  explicit TableCheck(const Function& function) : table(bake<S, K>(function)) {}
+  void add(uint32_t i, Real truth) {
+    seen.add(i, truth, sample_table<true>(table.view(), grid_argument<S>(i)));
+  }
   void expect(const std::string& name) const {
     const std::string full_name = name + ", " + std::to_string(1 << K) + " segments";
     expect_facts(full_name, table, seen);
@@ -154,7 +174,8 @@ void expect_tables(const std::string& name, const Function& function, const Exac
   std::apply([&name](const auto&... check) { (check.expect(name), ...); }, all);
 }
 
-template <int n> void expect_exterior(double ratio, const char* ratio_text) {
+template <int n>
+void expect_exterior(double ratio, const char* ratio_text) {
   const std::string name = "exterior, step " + std::to_string(n) + ", ratio " + ratio_text;
   const auto kernel = exterior(step::polynomial<n>, ratio);
   const ExteriorReference<n> exact{static_cast<Real>(ratio)};
@@ -193,7 +214,7 @@ TEST(Table, WyvillOverTheSquare) { expect_tables<3>("wyvill", potential::wyvill,
 TEST(Table, QuarterSine) { expect_tables<6>("quarter sine", detail::QuarterSine{}, quarter_sine); }
 TEST(Table, CubicStepOverTheUnitInterval) {
   expect_tables<5>("cubic step", step::over_unit_interval(step::polynomial<3>),
-                  cubic_step_over_unit_interval);
+                   cubic_step_over_unit_interval);
 }
 
 // Beyond the last argument: the last one's value, never a read outside the table.
@@ -209,7 +230,8 @@ TEST(Table, ArgumentsBeyondTheEnd) {
   for (const float argument : {1.0f, 2.0f, 1e30f, HUGE_VALF, std::nanf("")}) {
     EXPECT_EQ(sample_table<true>(floating.view(), argument).value, last_value);
   }
-  EXPECT_EQ(sample_table<true>(floating.view(), -1.0f).value, sample_table<true>(floating.view(), 0.0f).value);
+  EXPECT_EQ(sample_table<true>(floating.view(), -1.0f).value,
+            sample_table<true>(floating.view(), 0.0f).value);
 }
 
 // A function that leaves the range of a table is marked, so that no certificate accepts it.
@@ -221,11 +243,13 @@ TEST(Table, FunctionsThatDoNotFitAreMarked) {
   EXPECT_EQ((bake<float, 3>(tall).facts.error), greatest_of<int32_t>);
 }
 
-template <class S> Real greatest_sine_error(S angle, Real unit) {
+template <class S>
+Real greatest_sine_error(S angle, Real unit) {
   const SineCosine<S> found = sine_cosine(angle);
   const Real exact = real_of(angle);
   return std::fmax(std::fabs(real_of(found.sine) - std::sin(exact)),
-                   std::fabs(real_of(found.cosine) - std::cos(exact))) / unit;
+                   std::fabs(real_of(found.cosine) - std::cos(exact))) /
+         unit;
 }
 
 TEST(SineCosineSweep, FixedWithin16Radians) {
@@ -241,14 +265,16 @@ TEST(SineCosineSweep, FixedWithin16Radians) {
       greatest = std::fmax(greatest, greatest_sine_error(Fixed<27>::from_raw(middle + d), unit));
     }
   }
-  std::printf("sine and cosine, Fixed<27>: stated %u observed %.2Lf units of 2^-30\n", kSineErrorUnits, greatest);
+  std::printf("sine and cosine, Fixed<27>: stated %u observed %.2Lf units of 2^-30\n", kSineErrorUnits,
+              greatest);
   EXPECT_LE(greatest, static_cast<Real>(kSineErrorUnits));
 
   greatest = 0;
   for (int32_t raw = -(16 << 16); raw <= 16 << 16; ++raw) {
     greatest = std::fmax(greatest, greatest_sine_error(Fixed<16>::from_raw(raw), unit));
   }
-  std::printf("sine and cosine, Fixed<16>: stated %u observed %.2Lf units of 2^-30\n", kSineErrorUnits, greatest);
+  std::printf("sine and cosine, Fixed<16>: stated %u observed %.2Lf units of 2^-30\n", kSineErrorUnits,
+              greatest);
   EXPECT_LE(greatest, static_cast<Real>(kSineErrorUnits));
 }
 

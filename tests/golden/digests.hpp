@@ -6,8 +6,8 @@
 namespace nearfield::golden {
 
 inline constexpr uint32_t kDigestQueries = 100000;
-inline constexpr uint64_t kFixed27Digest = 0x1bfae7368cdca8ffu;
-inline constexpr uint64_t kFixed16Digest = 0x37af4c52be5f1095u;
-inline constexpr uint64_t kFloatDigest = 0xb396aab00f69f417u;
+inline constexpr uint64_t kFixed27Digest = 0xb40e4ecbab6b9673u;
+inline constexpr uint64_t kFixed16Digest = 0x78f384300fac8d5du;
+inline constexpr uint64_t kFloatDigest = 0x509ff2d81bc0f217u;
 
 }  // namespace nearfield::golden

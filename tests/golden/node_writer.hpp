@@ -1,4 +1,5 @@
-// Writes a static composition as a program image, so that both forms of one field can be compared. Freestanding.
+// Writes a static composition as a program image, so that both forms of one field can be compared.
+// Freestanding.
 #pragma once
 
 #include <nearfield/field/builder.hpp>
@@ -7,31 +8,42 @@
 namespace nearfield::golden {
 
 // Add the tables that the field samples first, then write() the node once, then builder().finish().
-template <class S, uint32_t Capacity> class NodeWriter {
+template <class S, uint32_t Capacity>
+class NodeWriter {
  public:
-  template <int Log2Segments> constexpr void table(const Table<S, Log2Segments>& table) {
+  template <int Log2Segments>
+  constexpr void table(const Table<S, Log2Segments>& table) {
     if (table_count_ == kTableLimit) return;
     coefficients_[table_count_] = table.coefficients;
     references_[table_count_] = builder_.table(table);
     ++table_count_;
   }
 
-  template <class Shape> constexpr void write(const Shape& shape) { builder_.operation(shape); }
-  template <class Shape> constexpr void write(const WithTable<Shape>& node) {
+  template <class Shape>
+  constexpr void write(const Shape& shape) {
+    builder_.operation(shape);
+  }
+  template <class Shape>
+  constexpr void write(const WithTable<Shape>& node) {
     builder_.operation(node.shape, reference_of(node.table));
   }
-  template <class Blend, class A, class B> constexpr void write(const Blended<Blend, A, B>& node) {
+  template <class Blend, class A, class B>
+  constexpr void write(const Blended<Blend, A, B>& node) {
     write(node.a);
     write(node.b);
-    if constexpr (OperationOf<Blend>::uses_table) builder_.operation(node.blend, reference_of(node.table));
-    else builder_.operation(node.blend);
+    if constexpr (OperationOf<Blend>::uses_table)
+      builder_.operation(node.blend, reference_of(node.table));
+    else
+      builder_.operation(node.blend);
   }
-  template <class A> constexpr void write(const Placed<A>& node) {
+  template <class A>
+  constexpr void write(const Placed<A>& node) {
     builder_.enter(node.pose);
     write(node.a);
     builder_.leave();
   }
-  template <class A> constexpr void write(const InSlot<A>& node) {
+  template <class A>
+  constexpr void write(const InSlot<A>& node) {
     builder_.enter_slot(node.slot);
     write(node.a);
     builder_.leave();

@@ -31,7 +31,8 @@ TEST(QueryDigest, Float) {
 }
 
 // All fields of the stream are valid ones, so that the digest covers evaluations and not only refusals.
-template <class S> void expect_valid_fields() {
+template <class S>
+void expect_valid_fields() {
   Writer<S> writers[4];
   EXPECT_TRUE(field(Scene<S>::smooth).valid());
   EXPECT_TRUE(field(Scene<S>::sharp).valid());

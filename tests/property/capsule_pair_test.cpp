@@ -184,7 +184,7 @@ class PairTrial {
     const Real product = reference::norm(u) * reference::norm(v);
     if (product > 0 && reference::norm(reference::cross(u, v)) <= product / 4096) return;
     if (!(apart > 0)) return;
-    const Real allowed = std::min(apart, unit_ * (14 + 3 * lengths / apart));
+    const Real allowed = std::min(apart + unit_, unit_ * (14 + 4 * lengths / apart));
     too_small_.check(shortfall <= allowed + 1e-16L * (1 + apart), [&](std::ostream& out) {
       out << one.name << ": " << shortfall / unit_ << " rounding units, allowed " << allowed / unit_ << ", "
           << apart << " apart, lengths " << lengths;

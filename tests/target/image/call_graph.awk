@@ -17,6 +17,27 @@ function add_call(from, to) {
 
 function register_bytes(list) { return 4 * gsub(/,/, ",", list) + 4 }
 
+function number_of(hexadecimal, i, number) {
+  number = 0
+  for (i = 1; i <= length(hexadecimal); ++i) {
+    number = 16 * number + index("0123456789abcdef", substr(hexadecimal, i, 1)) - 1
+  }
+  return number
+}
+
+# The function that an address lies in, "" if it lies in none. Names beside branch targets are no help: objdump takes
+# any symbol of that value, even one that is a size.
+function function_at(address, low, high, middle) {
+  low = 0
+  high = function_count + 1
+  while (high - low > 1) {
+    middle = int((low + high) / 2)
+    if (start[middle] <= address) low = middle
+    else high = middle
+  }
+  return low == 0 ? "" : functions[low]
+}
+
 function constant_after_hash(text) {
   sub(/.*#-?/, "", text)
   sub(/[^0-9].*/, "", text)
@@ -65,6 +86,7 @@ BEGIN { FS = "\t" }
   if (current != "" && last !~ /^(b|bl|bx|b\..*|pop|ldm.*|ldr.*|udf|nop|bkpt|tb[bh]|\..*)$/) add_call(current, name)
   current = name
   functions[++function_count] = name
+  start[function_count] = number_of(substr($0, 1, index($0, " ") - 1))
   is_function[name] = 1
   frame[name] = frame[name] + 0
   next
@@ -79,10 +101,11 @@ current != "" && NF >= 2 {
 
   if (mnemonic ~ /^(b|bl|b[a-z][a-z]|cbn?z)$/ && operands ~ /</) {
     target = operands
-    sub(/^[^<]*</, "", target)
-    sub(/>.*$/, "", target)
-    sub(/\+0x[0-9a-f]+$/, "", target)
-    add_call(current, target)
+    sub(/ *<.*/, "", target)
+    sub(/^.*[ ,]/, "", target)
+    ++branches
+    branch_from[branches] = current
+    branch_to[branches] = number_of(target)
   } else if (mnemonic ~ /^blx/ || (mnemonic ~ /^bx/ && operands != "lr") || (mnemonic ~ /^mov/ && operands ~ /^pc,/) ||
              (mnemonic ~ /^ldr/ && operands ~ /^pc,/ && operands !~ /\[sp\]/)) {
     indirect[current] = mnemonic " " operands
@@ -107,11 +130,10 @@ END {
     complain("there is no function " root)
     exit 1
   }
-  for (i = 1; i <= function_count; ++i) {
-    f = functions[i]
-    for (j = 1; j <= calls[f]; ++j) {
-      if (!(call[f, j] in is_function)) complain(f " calls " call[f, j] ", which is not there")
-    }
+  for (i = 1; i <= branches; ++i) {
+    f = function_at(branch_to[i])
+    if (f == "") complain(branch_from[i] " calls what is not there")
+    else add_call(branch_from[i], f)
   }
   for (i = 1; i <= function_count; ++i) stack_of(functions[i])
   mark_reachable(root)

@@ -17,19 +17,24 @@ namespace {
 using namespace nearfield;
 using reference::Random;
 
-template <class S> struct Tables {
+template <class S>
+struct Tables {
   static constexpr Table<S, 5> kernel = bake<S, 5>(exterior(step::polynomial<3>, 0.25));
   static constexpr Table<S, 5> wide_kernel = bake<S, 5>(exterior(step::polynomial<2>, 1.0));
   static constexpr Table<S, 3> potential = bake<S, 3>(potential::wyvill);
 };
 
-template <class S> S metres(reference::Real real) {
-  if constexpr (ScalarTraits<S>::is_fixed) return S(static_cast<double>(real));
-  else return static_cast<float>(real);
+template <class S>
+S metres(reference::Real real) {
+  if constexpr (ScalarTraits<S>::is_fixed)
+    return S(static_cast<double>(real));
+  else
+    return static_cast<float>(real);
 }
 
 // Random parts of fields, small enough that every composition below stays in range in every number type.
-template <class S> class Parts {
+template <class S>
+class Parts {
  public:
   explicit Parts(uint64_t seed) : random_(seed) {}
 
@@ -61,8 +66,10 @@ template <class S> class Parts {
       const auto row = static_cast<size_t>(i);
       const auto entry = [&rotation, row](size_t column) {
         const reference::Real real = reference_entry(rotation, row, column);
-        if constexpr (ScalarTraits<S>::is_fixed) return Unit<S>(static_cast<double>(real));
-        else return static_cast<float>(real);
+        if constexpr (ScalarTraits<S>::is_fixed)
+          return Unit<S>(static_cast<double>(real));
+        else
+          return static_cast<float>(real);
       };
       pose.rotation.row[i] = {entry(0), entry(1), entry(2)};
     }
@@ -75,26 +82,33 @@ template <class S> class Parts {
 
  private:
   static reference::Real reference_entry(const reference::Mat3& rotation, size_t row, size_t column) {
-    const reference::Vec3 axis = {column == 0 ? 1.0L : 0.0L, column == 1 ? 1.0L : 0.0L, column == 2 ? 1.0L : 0.0L};
+    const reference::Vec3 axis = {column == 0 ? 1.0L : 0.0L, column == 1 ? 1.0L : 0.0L,
+                                  column == 2 ? 1.0L : 0.0L};
     const reference::Vec3 turned = rotation * axis;
     return row == 0 ? turned.x : row == 1 ? turned.y : turned.z;
   }
   Random random_;
 };
 
-template <class S> uint32_t word(S x) { return ScalarTraits<S>::word(x); }
-template <class S> void expect_same_vector(const Vector3<S>& a, const Vector3<S>& b) {
+template <class S>
+uint32_t word(S x) {
+  return ScalarTraits<S>::word(x);
+}
+template <class S>
+void expect_same_vector(const Vector3<S>& a, const Vector3<S>& b) {
   EXPECT_EQ(word(a.x), word(b.x));
   EXPECT_EQ(word(a.y), word(b.y));
   EXPECT_EQ(word(a.z), word(b.z));
 }
 
-template <class S> class Comparison {
+template <class S>
+class Comparison {
  public:
   explicit Comparison(Parts<S>& parts) : parts_(parts) {}
 
   // The node as a field and as a program, at `count` points.
-  template <class Node> void expect_same(const char* name, const Node& node, int count) {
+  template <class Node>
+  void expect_same(const char* name, const Node& node, int count) {
     SCOPED_TRACE(name);
     const auto composed = field(node);
     golden::NodeWriter<S, 900> writer;
@@ -103,7 +117,8 @@ template <class S> class Comparison {
     writer.table(Tables<S>::potential);
     writer.write(node);
     ASSERT_EQ(writer.builder().finish().status, LoadStatus::ok);
-    const std::vector<uint32_t> image(writer.builder().words(), writer.builder().words() + writer.builder().size());
+    const std::vector<uint32_t> image(writer.builder().words(),
+                                      writer.builder().words() + writer.builder().size());
     const Program<S> program = load<S>(image.data(), image.size() * 4);
     ASSERT_EQ(program.status(), LoadStatus::ok);
 
@@ -147,9 +162,10 @@ template <class S> class Comparison {
   Parts<S>& parts_;
 };
 
-template <class S> class Composition : public testing::Test {};
+template <class S>
+class Composition : public testing::Test {};
 using Scalars = testing::Types<Fixed<27>, Fixed<16>, float>;
-TYPED_TEST_SUITE(Composition, Scalars);
+TYPED_TEST_SUITE(Composition, Scalars, );
 
 constexpr int kFields = 60;
 constexpr int kPoints = 20;
@@ -176,8 +192,10 @@ TYPED_TEST(Composition, SharpOperations) {
     comparison.expect_same("union", unite(parts.sphere(), parts.box()), kPoints);
     comparison.expect_same("intersection", intersect(parts.capsule(), parts.cylinder()), kPoints);
     comparison.expect_same("subtraction", subtract(parts.box(), parts.capsule()), kPoints);
-    comparison.expect_same("all", subtract(intersect(unite(parts.box(), parts.sphere()), parts.cylinder()),
-                                           unite(parts.capsule(), parts.sphere())), kPoints);
+    comparison.expect_same("all",
+                           subtract(intersect(unite(parts.box(), parts.sphere()), parts.cylinder()),
+                                    unite(parts.capsule(), parts.sphere())),
+                           kPoints);
   }
 }
 
@@ -192,10 +210,12 @@ TYPED_TEST(Composition, ExteriorBlends) {
     comparison.expect_same("union", unite(kernel, r, parts.sphere(), parts.box()), kPoints);
     comparison.expect_same("intersection", intersect(wide, r, parts.capsule(), parts.cylinder()), kPoints);
     comparison.expect_same("subtraction", subtract(kernel, r, parts.box(), parts.capsule()), kPoints);
-    comparison.expect_same("chain", unite(wide, r, parts.box(), parts.sphere(), parts.capsule(), parts.cylinder()),
+    comparison.expect_same(
+        "chain", unite(wide, r, parts.box(), parts.sphere(), parts.capsule(), parts.cylinder()), kPoints);
+    comparison.expect_same("mixed",
+                           subtract(unite(kernel, r, parts.box(), intersect(parts.sphere(), parts.box())),
+                                    unite(wide, r, parts.capsule(), parts.cylinder())),
                            kPoints);
-    comparison.expect_same("mixed", subtract(unite(kernel, r, parts.box(), intersect(parts.sphere(), parts.box())),
-                                             unite(wide, r, parts.capsule(), parts.cylinder())), kPoints);
   }
 }
 
@@ -207,13 +227,18 @@ TYPED_TEST(Composition, Frames) {
   for (int i = 0; i < kFields; ++i) {
     const S r = parts.blend_radius();
     comparison.expect_same("placed", place(parts.pose(0.5L), parts.cylinder()), kPoints);
-    comparison.expect_same("in a slot", in_slot(parts.slot(), unite(kernel, r, parts.box(), parts.sphere())), kPoints);
-    comparison.expect_same("placed twice", place(parts.pose(0.2L), unite(place(parts.pose(0.2L), parts.box()),
-                                                                        parts.capsule())), kPoints);
-    comparison.expect_same("slot in a pose", unite(kernel, r, place(parts.pose(0.2L), in_slot(parts.slot(), parts.box())),
-                                                   in_slot(parts.slot(), parts.sphere())), kPoints);
-    comparison.expect_same("pose in a slot", in_slot(parts.slot(), subtract(place(parts.pose(0.2L), parts.box()),
-                                                                            parts.sphere())), kPoints);
+    comparison.expect_same("in a slot", in_slot(parts.slot(), unite(kernel, r, parts.box(), parts.sphere())),
+                           kPoints);
+    comparison.expect_same(
+        "placed twice", place(parts.pose(0.2L), unite(place(parts.pose(0.2L), parts.box()), parts.capsule())),
+        kPoints);
+    comparison.expect_same("slot in a pose",
+                           unite(kernel, r, place(parts.pose(0.2L), in_slot(parts.slot(), parts.box())),
+                                 in_slot(parts.slot(), parts.sphere())),
+                           kPoints);
+    comparison.expect_same(
+        "pose in a slot",
+        in_slot(parts.slot(), subtract(place(parts.pose(0.2L), parts.box()), parts.sphere())), kPoints);
   }
 }
 
@@ -222,22 +247,29 @@ TYPED_TEST(Composition, SoftSums) {
   Parts<S> parts(reference::announced_seed("Composition.SoftSums", 705));
   Comparison<S> comparison(parts);
   for (int i = 0; i < kFields; ++i) {
-    comparison.expect_same("sum", soft_sum(parts.soft_point(), parts.soft_segment(), parts.soft_point()), kPoints);
-    comparison.expect_same("placed sum", soft_sum(place(parts.pose(0.4L), parts.soft_segment()),
-                                                  in_slot(parts.slot(), parts.soft_point())), kPoints);
+    comparison.expect_same("sum", soft_sum(parts.soft_point(), parts.soft_segment(), parts.soft_point()),
+                           kPoints);
+    comparison.expect_same(
+        "placed sum",
+        soft_sum(place(parts.pose(0.4L), parts.soft_segment()), in_slot(parts.slot(), parts.soft_point())),
+        kPoints);
   }
 }
 
 // ---------------------------------------------------------------- refusals
 
 // What `invalid` looks like: nothing in it permits anything.
-template <class S> void expect_refused(const Clearance<S>& answer, const char* what) {
+template <class S>
+void expect_refused(const Clearance<S>& answer, const char* what) {
   EXPECT_EQ(answer.status, ClearanceStatus::invalid) << what;
   EXPECT_EQ(word(answer.distance), word(ScalarTraits<S>::least())) << what;
   EXPECT_TRUE(is_zero(answer.direction)) << what;
 }
 
-template <class S> Sphere<S> ball_at_origin() { return {{}, metres<S>(0.5L)}; }
+template <class S>
+Sphere<S> ball_at_origin() {
+  return {{}, metres<S>(0.5L)};
+}
 
 TYPED_TEST(Composition, PointsOutsideTheDomain) {
   using S = TypeParam;
@@ -248,8 +280,10 @@ TYPED_TEST(Composition, PointsOutsideTheDomain) {
   if constexpr (ScalarTraits<S>::is_fixed) {
     outside = {limit + S::unit_in_last_place(), -limit - S::unit_in_last_place(), S::greatest(), S::least()};
   } else {
-    const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-    outside = {std::nextafter(limit, 1e9f), -std::nextafter(limit, 1e9f), infinity, -infinity, nan, -nan, 3e38f};
+    const float infinity = std::numeric_limits<float>::infinity(),
+                nan = std::numeric_limits<float>::quiet_NaN();
+    outside = {
+        std::nextafter(limit, 1e9f), -std::nextafter(limit, 1e9f), infinity, -infinity, nan, -nan, 3e38f};
   }
   for (const S bad : outside) {
     expect_refused(clearance(ball, Vector3<S>{bad, S{}, S{}}), "x");
@@ -286,14 +320,17 @@ TYPED_TEST(Composition, MissingOrBadPoses) {
   expect_bad("zero", [](Pose<S>& pose) { pose.rotation.row[0] = {}; });
   expect_bad("two rows alike", [](Pose<S>& pose) { pose.rotation.row[1] = pose.rotation.row[0]; });
   expect_bad("shear", [](Pose<S>& pose) { pose.rotation.row[0].y = metres<Unit<S>>(0.001L); });
-  expect_bad("too long a row", [one](Pose<S>& pose) { pose.rotation.row[0].x = one + metres<Unit<S>>(0.00001L); });
-  expect_bad("too short a row", [one](Pose<S>& pose) { pose.rotation.row[0].x = one - metres<Unit<S>>(0.00001L); });
+  expect_bad("too long a row",
+             [one](Pose<S>& pose) { pose.rotation.row[0].x = one + metres<Unit<S>>(0.00001L); });
+  expect_bad("too short a row",
+             [one](Pose<S>& pose) { pose.rotation.row[0].x = one - metres<Unit<S>>(0.00001L); });
   expect_bad("least numbers", [](Pose<S>& pose) {
     for (auto& row : pose.rotation.row) row.x = metres<Unit<S>>(-2);
   });
   expect_bad("far", [](Pose<S>& pose) { pose.translation.y = ScalarTraits<S>::domain() + metres<S>(0.01L); });
   if constexpr (!ScalarTraits<S>::is_fixed) {
-    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    const float nan = std::numeric_limits<float>::quiet_NaN(),
+                infinity = std::numeric_limits<float>::infinity();
     for (const float bad : {nan, infinity, -infinity}) {
       expect_bad("entry", [bad](Pose<S>& pose) { pose.rotation.row[1].z = bad; });
       expect_bad("diagonal", [bad](Pose<S>& pose) { pose.rotation.row[2].z = bad; });
@@ -312,7 +349,8 @@ TYPED_TEST(Composition, UnusedPosesDoNotMatter) {
   EXPECT_EQ(clearance(moving, p, poses, 2).status, ClearanceStatus::clear);
 }
 
-template <class Node> void expect_invalid(const char* what, const Node& node) {
+template <class Node>
+void expect_invalid(const char* what, const Node& node) {
   using S = typename Node::Scalar;
   const auto composed = field(node);
   ASSERT_FALSE(composed.valid()) << what;
@@ -358,7 +396,8 @@ TYPED_TEST(Composition, ParametersOutOfRange) {
   unfit.facts.error = greatest_of<int32_t>;
   expect_invalid("table that did not fit", unite(unfit, half, good, good));
   if constexpr (!ScalarTraits<S>::is_fixed) {
-    const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity(),
+                nan = std::numeric_limits<float>::quiet_NaN();
     for (const float strange : {infinity, -infinity, nan}) {
       expect_invalid("strange radius", Sphere<S>{origin, strange});
       expect_invalid("strange centre", Sphere<S>{{0.0f, strange, 0.0f}, half});

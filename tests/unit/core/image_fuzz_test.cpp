@@ -1,4 +1,5 @@
-// Mutated images with a correct checksum: refused, or safe to evaluate. Meant to be run under sanitizers as well.
+// Mutated images with a correct checksum: refused, or safe to evaluate. Meant to be run under sanitizers as
+// well.
 #include "sample_images.hpp"
 
 #include <reference/random.hpp>
@@ -22,10 +23,10 @@ constexpr int kPoints = 20;
 uint32_t below(Random& random, size_t count) { return static_cast<uint32_t>(random.next() % count); }
 
 uint32_t strange_word(Random& random) {
-  static constexpr uint32_t words[] = {0,           1,           2,           3,           0x7fffffffu, 0x80000000u,
-                                       0x80000001u, 0xffffffffu, 0x40000000u, 0xc0000000u, 0x20000000u, 0x20000001u,
-                                       0x3f800000u, 0xbf800000u, 0x7f800000u, 0xff800000u, 0x7fc00000u, 0x7f7fffffu,
-                                       0x00000001u, 0x41800000u, 0x3fffffffu, 0x08000000u};
+  static constexpr uint32_t words[] = {
+      0,           1,           2,           3,           0x7fffffffu, 0x80000000u, 0x80000001u, 0xffffffffu,
+      0x40000000u, 0xc0000000u, 0x20000000u, 0x20000001u, 0x3f800000u, 0xbf800000u, 0x7f800000u, 0xff800000u,
+      0x7fc00000u, 0x7f7fffffu, 0x00000001u, 0x41800000u, 0x3fffffffu, 0x08000000u};
   return words[below(random, sizeof words / sizeof words[0])];
 }
 
@@ -37,18 +38,32 @@ void mutate(Image& image, Random& random) {
     const auto size = static_cast<uint32_t>(image.size());
     const uint32_t word = first < size ? first + below(random, size - first) : below(random, size);
     switch (below(random, 6)) {
-      case 0: image[word] ^= 1u << below(random, 32); break;
-      case 1: image[word] = static_cast<uint32_t>(random.next()); break;
-      case 2: image[word] = strange_word(random); break;
-      case 3: image[word] += below(random, 9) - 4u; break;
-      case 4: image[word] = image[below(random, size)]; break;
-      default: image[word] = static_cast<uint32_t>(random.integer(-64, 64)) * 0x01000000u; break;
+      case 0:
+        image[word] ^= 1u << below(random, 32);
+        break;
+      case 1:
+        image[word] = static_cast<uint32_t>(random.next());
+        break;
+      case 2:
+        image[word] = strange_word(random);
+        break;
+      case 3:
+        image[word] += below(random, 9) - 4u;
+        break;
+      case 4:
+        image[word] = image[below(random, size)];
+        break;
+      default:
+        image[word] = static_cast<uint32_t>(random.integer(-64, 64)) * 0x01000000u;
+        break;
     }
   }
 }
 
-// Writes what the image's contents really have into its header. Precondition: everything before that check passes.
-template <class S> void agree_with_contents(Image& image) {
+// Writes what the image's contents really have into its header. Precondition: everything before that check
+// passes.
+template <class S>
+void agree_with_contents(Image& image) {
   const auto size = static_cast<uint32_t>(image.size());
   const Inspection<S> found =
       nearfield::detail::Inspector<S>(image.data(), program_first(image), size, format::header_words).run();
@@ -66,25 +81,31 @@ template <class S> void agree_with_contents(Image& image) {
   repair_crc(image);
 }
 
-template <class S> bool is_number(S x) {
-  if constexpr (ScalarTraits<S>::is_fixed) return true;
-  else return x > -1e6f && x < 1e6f;
+template <class S>
+bool is_number(S x) {
+  if constexpr (ScalarTraits<S>::is_fixed)
+    return true;
+  else
+    return x > -1e6f && x < 1e6f;
 }
 
-template <class S> Vector3<S> point_in_domain(golden::Stream& stream) {
+template <class S>
+Vector3<S> point_in_domain(golden::Stream& stream) {
   for (;;) {
     const Vector3<S> p = golden::point_from<S>(stream);
     if (coordinates_in_domain(p)) return p;
   }
 }
-template <class S> Pose<S> valid_pose_from(golden::Stream& stream) {
+template <class S>
+Pose<S> valid_pose_from(golden::Stream& stream) {
   for (;;) {
     const Pose<S> pose = golden::pose_from<S>(stream);
     if (valid_pose(pose)) return pose;
   }
 }
 
-template <class S> void evaluate_everywhere(const Program<S>& program, golden::Stream& stream) {
+template <class S>
+void evaluate_everywhere(const Program<S>& program, golden::Stream& stream) {
   std::vector<Pose<S>> slots(program.slot_count());
   for (Pose<S>& slot : slots) slot = valid_pose_from<S>(stream);
   for (int i = 0; i < kPoints; ++i) {
@@ -100,13 +121,14 @@ template <class S> void evaluate_everywhere(const Program<S>& program, golden::S
   }
 }
 
-template <class S> void fuzz(const char* name, uint64_t usual_seed, int mutations) {
+template <class S>
+void fuzz(const char* name, uint64_t usual_seed, int mutations) {
   const uint64_t seed = reference::announced_seed(name, usual_seed);
   Random random(seed);
   golden::Stream stream(seed);
   using Fields = golden::Scene<S>;
-  const std::vector<Image> good = {small_soft_image<S>(), small_distance_image<S>(), image_of<S>(Fields::sharp),
-                                   image_of<S>(unite(Fields::arm, Fields::post))};
+  const std::vector<Image> good = {small_soft_image<S>(), small_distance_image<S>(),
+                                   image_of<S>(Fields::sharp), image_of<S>(unite(Fields::arm, Fields::post))};
   for (const Image& image : good) ASSERT_EQ(status_of<S>(image), LoadStatus::ok);
   int loaded = 0, refused = 0;
   for (int i = 0; i < mutations; ++i) {

@@ -14,9 +14,10 @@ using namespace nearfield;
 using namespace nearfield::test;
 namespace format = nearfield::image_format;
 
-template <class S> class ImageOf : public testing::Test {};
+template <class S>
+class ImageOf : public testing::Test {};
 using Scalars = testing::Types<Fixed<27>, Fixed<16>, float>;
-TYPED_TEST_SUITE(ImageOf, Scalars);
+TYPED_TEST_SUITE(ImageOf, Scalars, );
 
 TYPED_TEST(ImageOf, GoodImagesLoadWithWhatTheyContain) {
   using S = TypeParam;
@@ -65,7 +66,8 @@ TYPED_TEST(ImageOf, EveryTruncationIsRefused) {
     // A copy of that many words, so that a sanitizer sees a read behind it.
     const Image part(good.begin(), good.begin() + static_cast<std::ptrdiff_t>((bytes + 3) / 4));
     const LoadStatus status = load<S>(part.data(), bytes).status();
-    EXPECT_EQ(status, bytes < 4 * format::header_words ? LoadStatus::no_image : LoadStatus::wrong_size) << bytes;
+    EXPECT_EQ(status, bytes < 4 * format::header_words ? LoadStatus::no_image : LoadStatus::wrong_size)
+        << bytes;
   }
 }
 
@@ -138,9 +140,9 @@ TYPED_TEST(ImageOf, BadTables) {
   EXPECT_EQ(with(table + 3, 0x7fffffffu), LoadStatus::bad_table) << "least value above the greatest";
   EXPECT_EQ(with(table + 6, 0x80000000u), LoadStatus::bad_table) << "greatest slope below the least";
   const std::vector<uint32_t> overflowing =
-      ScalarTraits<S>::is_fixed
-          ? std::vector<uint32_t>{0x7fffffffu, 0x80000000u}
-          : std::vector<uint32_t>{0x42800000u, 0xc2800000u, 0x7f800000u, 0xff800000u, 0x7fc00000u, 0xffffffffu};
+      ScalarTraits<S>::is_fixed ? std::vector<uint32_t>{0x7fffffffu, 0x80000000u}
+                                : std::vector<uint32_t>{0x42800000u, 0xc2800000u, 0x7f800000u,
+                                                        0xff800000u, 0x7fc00000u, 0xffffffffu};
   for (const uint32_t coefficient : overflowing) {
     for (uint32_t segment = 0; segment < 8; ++segment) {
       for (uint32_t j = 0; j < 4; ++j) {
@@ -157,7 +159,8 @@ TYPED_TEST(ImageOf, BadTables) {
 }
 
 // Builds a program without tables from operations and says why the builder refuses it; load() must agree.
-template <class S> LoadStatus status_of_program(const std::function<void(ImageBuilder<S, 400>&)>& write) {
+template <class S>
+LoadStatus status_of_program(const std::function<void(ImageBuilder<S, 400>&)>& write) {
   ImageBuilder<S, 400> builder;
   write(builder);
   const LoadStatus status = builder.finish().status;
@@ -165,17 +168,19 @@ template <class S> LoadStatus status_of_program(const std::function<void(ImageBu
   return status;
 }
 
-template <class S> Sphere<S> ball() { return {{}, metres<S>(0.5)}; }
+template <class S>
+Sphere<S> ball() {
+  return {{}, metres<S>(0.5)};
+}
 
 bool is_known_operation(uint32_t code) {
   switch (static_cast<Operation>(code)) {
 #define NEARFIELD_CASE(number, name, type) case Operation::name:
-    NEARFIELD_SHAPES(NEARFIELD_CASE) NEARFIELD_SHAPES_WITH_TABLE(NEARFIELD_CASE)
-    NEARFIELD_BLENDS(NEARFIELD_CASE) NEARFIELD_BLENDS_WITH_TABLE(NEARFIELD_CASE)
+    NEARFIELD_SHAPES(NEARFIELD_CASE)
+    NEARFIELD_SHAPES_WITH_TABLE(NEARFIELD_CASE) NEARFIELD_BLENDS(NEARFIELD_CASE)
+        NEARFIELD_BLENDS_WITH_TABLE(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
-    case Operation::enter_pose:
-    case Operation::enter_slot:
-    case Operation::leave: return true;
+            case Operation::enter_pose : case Operation::enter_slot : case Operation::leave : return true;
   }
   return false;
 }
@@ -197,7 +202,9 @@ TYPED_TEST(ImageOf, UnknownAndTruncatedOperations) {
     EXPECT_EQ(with(ball_at, (good[ball_at] & ~0xffu) | code), LoadStatus::unknown_operation) << code;
   }
   EXPECT_GT(unknown, 200);
-  const auto with_payload = [&](uint32_t at, uint32_t words) { return with(at, (good[at] & 0xffu) | words << 8); };
+  const auto with_payload = [&](uint32_t at, uint32_t words) {
+    return with(at, (good[at] & 0xffu) | words << 8);
+  };
   for (const uint32_t words : {0u, 3u, 5u, 0xffffffu, static_cast<uint32_t>(good.size())}) {
     EXPECT_EQ(with_payload(ball_at, words), LoadStatus::truncated_operation) << words;
   }
@@ -215,17 +222,19 @@ TYPED_TEST(ImageOf, BadTableReferences) {
     const uint32_t reference = at + (good[at] >> 8);
     ASSERT_EQ(good[reference], format::header_words);
     const auto size = static_cast<uint32_t>(good.size());
-    for (const uint32_t wrong : {0u, format::header_words - 1u, format::header_words + 1u, program_first(good),
-                                 size - 1, size, 0x80000000u, 0xffffffffu}) {
+    for (const uint32_t wrong : {0u, format::header_words - 1u, format::header_words + 1u,
+                                 program_first(good), size - 1, size, 0x80000000u, 0xffffffffu}) {
       Image image = good;
       image[reference] = wrong;
       EXPECT_EQ(status_with_good_crc<S>(image), LoadStatus::bad_table_reference) << wrong;
     }
   }
-  EXPECT_EQ(status_of_program<S>([](auto& builder) {
-              builder.operation(SoftPoint<S>{{}, Influence<S>(metres<S>(0.5), metres<S>(1))}, format::header_words);
-            }),
-            LoadStatus::bad_table_reference) << "an image without tables";
+  EXPECT_EQ(
+      status_of_program<S>([](auto& builder) {
+        builder.operation(SoftPoint<S>{{}, Influence<S>(metres<S>(0.5), metres<S>(1))}, format::header_words);
+      }),
+      LoadStatus::bad_table_reference)
+      << "an image without tables";
 }
 
 TYPED_TEST(ImageOf, KindsAndCountsOfOperands) {
@@ -233,19 +242,24 @@ TYPED_TEST(ImageOf, KindsAndCountsOfOperands) {
   EXPECT_EQ(status_of_program<S>([](auto&) {}), LoadStatus::kind_mismatch) << "no result";
   EXPECT_EQ(status_of_program<S>([](auto& b) { b.operation(ball<S>()); }), LoadStatus::ok);
   EXPECT_EQ(status_of_program<S>([](auto& b) { b.operation(ball<S>()).operation(ball<S>()); }),
-            LoadStatus::kind_mismatch) << "two results";
+            LoadStatus::kind_mismatch)
+      << "two results";
   EXPECT_EQ(status_of_program<S>([](auto& b) { b.operation(SharpUnion<S>{}); }), LoadStatus::kind_mismatch);
   EXPECT_EQ(status_of_program<S>([](auto& b) { b.operation(ball<S>()).operation(SharpUnion<S>{}); }),
-            LoadStatus::kind_mismatch) << "one operand";
-  EXPECT_EQ(status_of_program<S>([](auto& b) { b.operation(ball<S>()).operation(ball<S>()).operation(SoftSum<S>{}); }),
-            LoadStatus::kind_mismatch) << "a sum of distances";
+            LoadStatus::kind_mismatch)
+      << "one operand";
+  EXPECT_EQ(status_of_program<S>(
+                [](auto& b) { b.operation(ball<S>()).operation(ball<S>()).operation(SoftSum<S>{}); }),
+            LoadStatus::kind_mismatch)
+      << "a sum of distances";
   EXPECT_EQ(status_of_program<S>([](auto& b) {
               const uint32_t table = b.table(golden::Scene<S>::potential);
               b.operation(ball<S>());
               b.operation(SoftPoint<S>{{}, Influence<S>(metres<S>(0.5), metres<S>(1))}, table);
               b.operation(SharpUnion<S>{});
             }),
-            LoadStatus::kind_mismatch) << "a distance with an intensity";
+            LoadStatus::kind_mismatch)
+      << "a distance with an intensity";
 }
 
 TYPED_TEST(ImageOf, DepthOfTheStack) {
@@ -274,15 +288,17 @@ TYPED_TEST(ImageOf, Frames) {
   const LoadStatus unbalanced = LoadStatus::frames_unbalanced;
   EXPECT_EQ(status_of_program<S>([](auto& b) { b.enter(Pose<S>{}).operation(ball<S>()); }), unbalanced);
   EXPECT_EQ(status_of_program<S>([](auto& b) { b.operation(ball<S>()).leave(); }), unbalanced);
-  EXPECT_EQ(status_of_program<S>([](auto& b) { b.operation(ball<S>()).enter(Pose<S>{}).leave(); }), unbalanced);
-  EXPECT_EQ(status_of_program<S>([](auto& b) {
-              b.enter_slot(0).operation(ball<S>()).operation(ball<S>()).leave();
-            }),
-            unbalanced) << "two results in a frame";
+  EXPECT_EQ(status_of_program<S>([](auto& b) { b.operation(ball<S>()).enter(Pose<S>{}).leave(); }),
+            unbalanced);
+  EXPECT_EQ(status_of_program<S>(
+                [](auto& b) { b.enter_slot(0).operation(ball<S>()).operation(ball<S>()).leave(); }),
+            unbalanced)
+      << "two results in a frame";
   EXPECT_EQ(status_of_program<S>([](auto& b) {
               b.operation(ball<S>()).enter(Pose<S>{}).operation(ball<S>()).operation(SharpUnion<S>{}).leave();
             }),
-            LoadStatus::kind_mismatch) << "an operand from outside the frame";
+            LoadStatus::kind_mismatch)
+      << "an operand from outside the frame";
   Image payload = small_distance_image<S>();
   payload[find_operation(payload, Operation::leave)] |= 1u << 8;
   EXPECT_EQ(status_with_good_crc<S>(payload), unbalanced) << "`leave` with a payload";
@@ -292,7 +308,8 @@ TYPED_TEST(ImageOf, ParametersOutOfRange) {
   using S = TypeParam;
   const S half = metres<S>(0.5), limit = ScalarTraits<S>::domain();
   const auto expect_refused = [](const char* what, const auto& shape) {
-    EXPECT_EQ(status_of_program<S>([&shape](auto& b) { b.operation(shape); }), LoadStatus::parameter_out_of_range)
+    EXPECT_EQ(status_of_program<S>([&shape](auto& b) { b.operation(shape); }),
+              LoadStatus::parameter_out_of_range)
         << what;
   };
   expect_refused("negative radius", Sphere<S>{{}, -half});
@@ -302,7 +319,8 @@ TYPED_TEST(ImageOf, ParametersOutOfRange) {
   expect_refused("cylinder", Cylinder<S>{{}, half, S{}});
   expect_refused("axis too short", Capsule<S>({}, {metres<Unit<S>>(0.99), {}, {}}, half, half));
   expect_refused("axis too long", Capsule<S>({}, {metres<Unit<S>>(1.01), {}, {}}, half, half));
-  expect_refused("axis of two ones", Capsule<S>({}, {metres<Unit<S>>(1), metres<Unit<S>>(1), {}}, half, half));
+  expect_refused("axis of two ones",
+                 Capsule<S>({}, {metres<Unit<S>>(1), metres<Unit<S>>(1), {}}, half, half));
   EXPECT_EQ(status_of_program<S>([](auto& b) { b.enter_slot(kSlotLimit).operation(ball<S>()).leave(); }),
             LoadStatus::parameter_out_of_range);
   EXPECT_EQ(status_of_program<S>([](auto& b) { b.enter_slot(kSlotLimit - 1).operation(ball<S>()).leave(); }),
@@ -310,7 +328,8 @@ TYPED_TEST(ImageOf, ParametersOutOfRange) {
 
   const auto expect_pose_refused = [](const char* what, const Pose<S>& pose) {
     EXPECT_EQ(status_of_program<S>([&pose](auto& b) { b.enter(pose).operation(ball<S>()).leave(); }),
-              LoadStatus::parameter_out_of_range) << what;
+              LoadStatus::parameter_out_of_range)
+        << what;
   };
   Pose<S> mirror, skew, far;
   mirror.rotation.row[0] = -mirror.rotation.row[0];
@@ -320,7 +339,8 @@ TYPED_TEST(ImageOf, ParametersOutOfRange) {
   expect_pose_refused("skew", skew);
   expect_pose_refused("far", far);
   if constexpr (!ScalarTraits<S>::is_fixed) {
-    const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity(),
+                nan = std::numeric_limits<float>::quiet_NaN();
     for (const float strange : {nan, -nan, infinity, -infinity}) {
       expect_refused("radius", Sphere<S>{{}, strange});
       expect_refused("centre", Sphere<S>{{0.0f, strange, 0.0f}, half});
@@ -370,7 +390,8 @@ TYPED_TEST(ImageOf, ClaimsThatAreNotTrue) {
   EXPECT_EQ(status_with_good_crc<S>(error_free), LoadStatus::certificate_mismatch);
 }
 
-// Ranges in a table's facts that are narrower than what its coefficients give, with claims that agree with them.
+// Ranges in a table's facts that are narrower than what its coefficients give, with claims that agree with
+// them.
 TYPED_TEST(ImageOf, FactsNarrowerThanTheCoefficients) {
   using S = TypeParam;
   const auto status_with = [](const auto& narrow_down) {
@@ -406,10 +427,12 @@ TEST(ImageCrc, IsThatOfTheStandard) {
   EXPECT_EQ(image_crc(before, 5), image_crc(after, 5));
 }
 
-static_assert([] {
-  ImageBuilder<Fixed<27>, 40> builder;
-  builder.operation(Sphere<Fixed<27>>{{}, 0.5});
-  return builder.finish().status == LoadStatus::ok;
-}(), "images can be written by the compiler");
+static_assert(
+    [] {
+      ImageBuilder<Fixed<27>, 40> builder;
+      builder.operation(Sphere<Fixed<27>>{{}, 0.5});
+      return builder.finish().status == LoadStatus::ok;
+    }(),
+    "images can be written by the compiler");
 
 }  // namespace

@@ -27,10 +27,12 @@ constexpr ReciprocalRootSeeds make_reciprocal_root_seeds() {
 
 inline constexpr ReciprocalRootSeeds kReciprocalRootSeeds = make_reciprocal_root_seeds();
 
-// x * 4^shift in [2^62, 2^64), and y just below 2^63 / sqrt(that), Q31.
+// x * 4^shift in [2^62, 2^64), y just below 2^63 / sqrt(that), Q31, and half of it. The half is computed in such a way
+// that compilers do not know its sign and multiply it with one instruction.
 struct Normalised {
   uint64_t m;
   uint32_t y;
+  int32_t half;
   int shift;
 };
 
@@ -45,12 +47,15 @@ constexpr Normalised normalise(uint64_t x) {
   // Newton steps y += y (1 - u y^2) / 2: the first in Q28, which is as good as its result can be ...
   const uint32_t square = multiply_high(static_cast<uint32_t>(seed), static_cast<uint32_t>(seed));
   const int32_t residual = (1 << 28) - static_cast<int32_t>(multiply_high(u, square));
-  uint32_t y = static_cast<uint32_t>(seed + multiply_high(seed, residual * 8)) << 1;
+  const int32_t better = seed + multiply_high(seed, residual * 8);  // Q30
   // ... the second in Q62.
-  const uint64_t product = static_cast<uint64_t>(u) * multiply_high(y, y);
+  const uint32_t doubled = static_cast<uint32_t>(better) << 1;
+  const uint64_t product = static_cast<uint64_t>(u) * multiply_high(doubled, doubled);
   const int32_t rest = static_cast<int32_t>(static_cast<int64_t>((uint64_t{1} << 62) - product) >> 30);
-  y += static_cast<uint32_t>((static_cast<int64_t>(y) * rest) >> 33);
-  return {m, y - 8, shift};  // below 1/sqrt(u) whatever was truncated above; see tests/exhaustive/sqrt_test.cpp
+  const uint32_t y = doubled + static_cast<uint32_t>(multiply_high(better, rest));
+  // Less 8: below 1/sqrt(u) whatever was truncated above; see tests/exhaustive/sqrt_test.cpp.
+  const int32_t half = (static_cast<int32_t>(y ^ 0x80000000u) >> 1) + 0x40000000 - 4;
+  return {m, y - 8, half, shift};
 }
 
 }  // namespace detail
@@ -65,7 +70,7 @@ struct ReciprocalRoot {
 constexpr ReciprocalRoot reciprocal_root(uint64_t x) {
   if (x == 0) return {0, 0};
   const detail::Normalised n = detail::normalise(x);
-  return {static_cast<int32_t>(n.y >> 1), n.shift};
+  return {n.half, n.shift};
 }
 
 // The same, with root = floor(sqrt(x)), exact for every x. Cost: 75 instructions on Cortex-M4.
@@ -83,7 +88,7 @@ constexpr RootParts root_parts(uint64_t x) {
   uint32_t root = below + (step > 8 ? multiply_high(step - 8, n.y) >> 26 : 0);
   const uint64_t rest = n.m - static_cast<uint64_t>(root) * root;
   if (rest > 2 * static_cast<uint64_t>(root)) ++root;
-  return {root >> n.shift, static_cast<int32_t>(n.y >> 1), n.shift};
+  return {root >> n.shift, n.half, n.shift};
 }
 
 // floor(sqrt(x)).

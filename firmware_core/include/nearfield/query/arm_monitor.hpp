@@ -84,9 +84,26 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   static constexpr uint32_t cost_per_joint = 900, cost_per_placed_body = 120, cost_per_pose_check = 260;
 
  private:
-  static constexpr void keep_nearer(NearestBodies<S>& least, const Clearance<S>& candidate, uint16_t body, uint16_t other) {
-    if (least.body == kNoBody || &nearer(least.clearance, candidate) == &candidate) least = {candidate, body, other};
-  }
+  // The nearest pair so far; its clearance is made of it only at the end.
+  struct NearestPair {
+    SeparatedBy<S> apart;
+    S error{}, distance{};
+    uint16_t first = kNoBody, second = kNoBody;
+
+    constexpr void consider(const SeparatedBy<S>& candidate, S candidate_error, uint16_t i, uint16_t j) {
+      const S candidate_distance = candidate.distance - candidate_error;
+      if (first != kNoBody && !(candidate_distance < distance)) return;
+      apart = candidate;
+      error = candidate_error;
+      distance = candidate_distance;
+      first = i;
+      second = j;
+    }
+    constexpr NearestBodies<S> result() const {
+      if (first == kNoBody) return {nothing_there(), kNoBody, kNoBody};
+      return {clearance_of(apart, error), first, second};
+    }
+  };
   static constexpr Clearance<S> nothing_there() {
     return {ClearanceStatus::clear, ScalarTraits<S>::greatest(), {}};
   }
@@ -104,21 +121,23 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
     least = {nearest.clearance, nearest.number, kNoBody};
   }
   constexpr void to_person(const Capsule<S>* bodies, const Pose<S>* person_poses, NearestBodies<S>& least) const {
-    least.clearance = nothing_there();
-    if (person == nullptr) return;
-    for (uint16_t j = 0; j < person->body_count(); ++j) {
+    NearestPair nearest;
+    for (uint16_t j = 0; person != nullptr && j < person->body_count(); ++j) {
       const Capsule<S> limb = person->placed_body(j, person_poses);
+      const S error = person->body_error(j);
       for (uint16_t i = 0; i < arm->body_count(); ++i) {
-        keep_nearer(least, clearance_between(bodies[i], limb, arm->body_error(i) + person->body_error(j)), i, j);
+        nearest.consider(separation(bodies[i], limb), add_in_range(arm->body_error(i), error), i, j);
       }
     }
+    least = nearest.result();
   }
   constexpr void to_itself(const Capsule<S>* bodies, NearestBodies<S>& least) const {
-    least.clearance = nothing_there();
+    NearestPair nearest;
     for (uint16_t k = 0; k < self_pair_count; ++k) {
       const uint16_t i = self_pairs[k].first, j = self_pairs[k].second;
-      keep_nearer(least, clearance_between(bodies[i], bodies[j], arm->body_error(i) + arm->body_error(j)), i, j);
+      nearest.consider(separation(bodies[i], bodies[j]), add_in_range(arm->body_error(i), arm->body_error(j)), i, j);
     }
+    least = nearest.result();
   }
   constexpr void repel(const Vector3<S>& tool, const Pose<S>* person_poses, ArmTick<S>& out) const {
     if (soft == nullptr || !soft->valid() || soft->kind() != Kind::intensity || !coordinates_in_domain(tool)) return;

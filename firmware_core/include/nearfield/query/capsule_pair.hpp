@@ -7,18 +7,19 @@ namespace nearfield {
 
 namespace detail {
 
-// numerator / denominator for denominator in [2^-24, 1], saturating; relative error below 2^-25.
-// By two products with a reciprocal square root, so that the cost is fixed and no division is needed.
+// numerator / denominator for denominator in [2^-24, 1], saturating; relative error below 2^-24.
+// By a product with the square of a reciprocal root, so that the cost is fixed and no division is needed.
 template <int F, class R> constexpr Fixed<F, R> quotient(Fixed<F, R> numerator, Unit<Fixed<F, R>> denominator) {
   const ReciprocalRoot root = reciprocal_root(static_cast<uint64_t>(denominator.raw()) << 32);
-  int64_t value = numerator.raw();
-  for (int i = 0; i < 2; ++i) {
-    // The root is that of the denominator with 62 fraction bits: 1 / sqrt(d) = reciprocal * 2^(shift - 31).
-    value = (value * root.reciprocal) >> (31 - root.shift);
-    if (value > greatest_of<int32_t>) value = greatest_of<int32_t>;
-    if (value < -greatest_of<int32_t>) value = -greatest_of<int32_t>;
-  }
-  return Fixed<F, R>::from_raw(static_cast<R>(value));
+  // The root is that of the denominator with 62 fraction bits: 1 / d = reciprocal^2 * 2^(2 shift - 62).
+  const int32_t reciprocal = multiply_high(root.reciprocal, root.reciprocal);
+  const int64_t scaled = static_cast<int64_t>(numerator.raw()) * reciprocal;
+  const int shift = 30 - 2 * root.shift;  // 6 ... 30
+  const int32_t high = static_cast<int32_t>(scaled >> 32);
+  const int32_t result =
+      static_cast<int32_t>(static_cast<uint32_t>(scaled) >> shift | static_cast<uint32_t>(high) << (32 - shift));
+  if (high >> shift == result >> 31) return Fixed<F, R>::from_raw(static_cast<R>(result));
+  return high < 0 ? Fixed<F, R>::least() : Fixed<F, R>::greatest();
 }
 constexpr float quotient(float numerator, float denominator) { return numerator / denominator; }
 
@@ -38,18 +39,18 @@ inline constexpr uint32_t kCapsulePairCost = 420;
 
 template <class S> struct SeparatedBy {
   S distance{};
-  Vector3<S> direction{};
+  Vector3<Unit<S>> direction{};
 };
 
 template <class S> constexpr SeparatedBy<S> separation(const Capsule<S>& a, const Capsule<S>& b) {
   using U = Unit<S>;
   using T = ScalarTraits<S>;
   const S zero{};
-  const S radii = a.radius + b.radius;
+  const S radii = add_in_range(a.radius, b.radius);
   const Vector3<S> between = subtract_in_range(a.from, b.from);
   if (a.length == zero && b.length == zero) {
-    const Polar<S, S> apart = polar<S>(between);
-    return {apart.length - radii, apart.direction};
+    const Polar<S, U> apart = polar<U>(between);
+    return {subtract_in_range(apart.length, radii), apart.direction};
   }
   // Minimise |between + s u - t v| over s in [0, a.length], t in [0, b.length].
   const S along_a = narrow_in_range<S>(dot(between, a.axis)), along_b = narrow_in_range<S>(dot(between, b.axis));
@@ -66,23 +67,27 @@ template <class S> constexpr SeparatedBy<S> separation(const Capsule<S>& a, cons
 
   const Vector3<U> apart = direction_of<U>(gap);
   const U rise_a = narrow_in_range<U>(dot(apart, a.axis)), rise_b = narrow_in_range<U>(dot(apart, b.axis));
-  const S over_a = least_of_two(narrow_in_range<S>(product(a.length, rise_a)), zero);
-  const S over_b = greatest_of_two(narrow_in_range<S>(product(b.length, rise_b)), zero);
-  // Four roundings, and a direction that may be longer than 1 by 2^-28.
-  const S slack = T::times(T::rounding_unit(T::domain()), 4);
-  const S bound = narrow_in_range<S>(dot(between, apart)) + over_a - over_b - slack;
-  return {greatest_of_two(bound, zero) - radii, {T::from_unit(apart.x), T::from_unit(apart.y), T::from_unit(apart.z)}};
+  auto bound = dot(between, apart);
+  if (rise_a < U{}) bound = bound + product(a.length, rise_a);
+  if (rise_b > U{}) bound = bound - product(b.length, rise_b);
+  // Three roundings, and a direction that may be longer than 1 by 2^-28.
+  const S slack = T::times(T::rounding_unit(T::domain()), 3);
+  const S apart_at_least = narrow<S>(bound - product(slack, T::unit_one()));
+  return {subtract_in_range(greatest_of_two(apart_at_least, zero), radii), apart};
 }
 
-// The same as a clearance, for capsules each known to within its share of `error` (metres, their sum).
-template <class S> constexpr Clearance<S> clearance_between(const Capsule<S>& a, const Capsule<S>& b, S error) {
-  const SeparatedBy<S> apart = separation(a, b);
+// The same as a clearance, for capsules known to within errors (metres) whose sum is `error`.
+template <class S> constexpr Clearance<S> clearance_of(const SeparatedBy<S>& apart, S error) {
   Clearance<S> c;
   c.distance = apart.distance - error;
-  c.direction = apart.direction;
+  using T = ScalarTraits<S>;
+  c.direction = {T::from_unit(apart.direction.x), T::from_unit(apart.direction.y), T::from_unit(apart.direction.z)};
   c.status = c.distance > S{} ? ClearanceStatus::clear
              : apart.distance + error <= S{} ? ClearanceStatus::touching : ClearanceStatus::undecided;
   return c;
+}
+template <class S> constexpr Clearance<S> clearance_between(const Capsule<S>& a, const Capsule<S>& b, S error) {
+  return clearance_of(separation(a, b), error);
 }
 
 }  // namespace nearfield

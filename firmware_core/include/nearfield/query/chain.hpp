@@ -49,7 +49,8 @@ template <class S> constexpr Rotation<S> compose(const Rotation<S>& outer, const
   const Vector3<Unit<S>> x = inner.column(0), y = inner.column(1), z = inner.column(2);
   for (int i = 0; i < 3; ++i) {
     const Vector3<Unit<S>>& row = outer.row[i];
-    result.row[i] = {narrow<Unit<S>>(dot(row, x)), narrow<Unit<S>>(dot(row, y)), narrow<Unit<S>>(dot(row, z))};
+    result.row[i] = {narrow_in_range<Unit<S>>(dot(row, x)), narrow_in_range<Unit<S>>(dot(row, y)),
+                     narrow_in_range<Unit<S>>(dot(row, z))};
   }
   return result;
 }
@@ -60,19 +61,19 @@ template <class S> constexpr Rotation<S> rotation_about(const Vector3<Unit<S>>& 
   const SineCosine<S> turn = sine_cosine(angle);
   const U one = ScalarTraits<S>::unit_one();
   const auto diagonal = [&](U k) {
-    const U square = narrow<U>(product(k, k));
-    return narrow<U>(product(square, one) + product(turn.cosine, one) - product(square, turn.cosine));
+    const U square = narrow_in_range<U>(product(k, k));
+    return narrow_in_range<U>(product(square, one) + product(turn.cosine, one) - product(square, turn.cosine));
   };
   const auto mixed = [&](U a, U b) {
-    const U ab = narrow<U>(product(a, b));
+    const U ab = narrow_in_range<U>(product(a, b));
     return product(ab, one) - product(ab, turn.cosine);
   };
   const auto xy = mixed(axis.x, axis.y), yz = mixed(axis.y, axis.z), zx = mixed(axis.z, axis.x);
   const auto sx = product(turn.sine, axis.x), sy = product(turn.sine, axis.y), sz = product(turn.sine, axis.z);
   Rotation<S> r;
-  r.row[0] = {diagonal(axis.x), narrow<U>(xy - sz), narrow<U>(zx + sy)};
-  r.row[1] = {narrow<U>(xy + sz), diagonal(axis.y), narrow<U>(yz - sx)};
-  r.row[2] = {narrow<U>(zx - sy), narrow<U>(yz + sx), diagonal(axis.z)};
+  r.row[0] = {diagonal(axis.x), narrow_in_range<U>(xy - sz), narrow_in_range<U>(zx + sy)};
+  r.row[1] = {narrow_in_range<U>(xy + sz), diagonal(axis.y), narrow_in_range<U>(yz - sx)};
+  r.row[2] = {narrow_in_range<U>(zx - sy), narrow_in_range<U>(yz + sx), diagonal(axis.z)};
   return r;
 }
 
