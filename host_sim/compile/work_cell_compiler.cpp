@@ -179,7 +179,7 @@ CompiledWorkCell compile_work_cell(const SceneDescription& scene, const std::str
     });
   }
   compile_separation(*scene.separation, scene.file, cell.settings);
-  cell.settings.refinements = 16;
+  cell.settings.refinements = 12;
   cell.settings.tolerance = quantise<Q>(0.0001);
   cell.settings.ticks = static_cast<std::uint32_t>(std::llround(scene.duration * 1000.0));
   return cell;

@@ -34,7 +34,7 @@ struct WorkCell {
   Span<uint32_t> cell_image;
   Span<uint32_t> soft_image;     // may be empty
   uint16_t tool_link = 0;
-  int refinements = 16;          // evaluations beyond one for each body
+  int refinements = 12;          // evaluations beyond one for each body
   Q tolerance{};
   Q person_stop{}, person_free{}, cell_stop{}, cell_free{};  // metres
   uint32_t ticks = 0;            // of 1 ms

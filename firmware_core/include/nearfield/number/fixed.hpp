@@ -161,7 +161,8 @@ template <class To, int F, class R> constexpr To narrow_in_range(WideProduct<F, 
   static_assert(shift > 0, "narrowing drops fraction bits");
   using W = typename WideOf<R>::type;
   const W rounded = wrapping_add(wide.raw, static_cast<W>(W{1} << (shift - 1)));
-  return To::from_raw(static_cast<typename To::Raw>(rounded >> shift));
+  if constexpr (sizeof(R) == 4) return To::from_raw(shift_right_to_32<shift>(rounded));
+  else return To::from_raw(static_cast<typename To::Raw>(rounded >> shift));
 }
 
 }  // namespace nearfield

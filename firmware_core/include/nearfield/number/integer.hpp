@@ -54,6 +54,16 @@ constexpr int32_t shift_left(int32_t x, int shift) {
   return static_cast<int32_t>(static_cast<uint32_t>(x) << shift);
 }
 
+// The lowest 32 bits of floor(x / 2^shift). Put together from halves, so that compilers treat the result as a plain
+// 32-bit number (and multiply it with one instruction) instead of carrying its 64-bit origin along.
+template <int shift> constexpr int32_t shift_right_to_32(int64_t x) {
+  static_assert(shift > 0 && shift < 63, "a proper shift");
+  const uint32_t low = static_cast<uint32_t>(static_cast<uint64_t>(x));
+  const int32_t high = static_cast<int32_t>(x >> 32);
+  if constexpr (shift >= 32) return high >> (shift - 32);
+  else return static_cast<int32_t>(low >> shift | static_cast<uint32_t>(high) << (32 - shift));
+}
+
 // Same bits, other type. Not a numeric conversion.
 template <class To, class From> constexpr To bits_as(const From& from) {
   static_assert(sizeof(To) == sizeof(From), "bits_as keeps the size");

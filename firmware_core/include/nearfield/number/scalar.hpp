@@ -71,17 +71,22 @@ template <int F, class R> struct ScalarTraits<Fixed<F, R>> {
     return S::from_raw(static_cast<R>((static_cast<int64_t>(a.raw()) * reciprocal.raw()) >> 30));
   }
   // Bounds on what small rotations move, for error budgets: length * units * 2^-30, rounded up; and the units of 2^-30
-  // by which an angle multiplier * value + offset may be off when value, multiplier and offset were rounded.
+  // by which an angle multiplier * value + offset within +-16 rad may be off when all three were rounded.
   static constexpr S rotation_units_times(S length, uint32_t units) {
     ArithmeticStatus ignored;
     const int64_t exact = static_cast<int64_t>(length.raw()) * static_cast<int64_t>(units);
     return S::saturate((exact >> 30) + 1, ignored);
   }
-  static constexpr uint32_t angle_units(S multiplier) {
-    const int64_t unit = int64_t{1} << (30 - F);
-    const int64_t magnitude = multiplier.raw() < 0 ? -static_cast<int64_t>(multiplier.raw()) : multiplier.raw();
-    if (magnitude == (int64_t{1} << F)) return static_cast<uint32_t>(unit / 2);
-    return static_cast<uint32_t>(unit * 8 + ((unit / 2 * magnitude) >> F));
+  static constexpr uint32_t angle_units(S multiplier, S offset) {
+    const int64_t half_unit = (int64_t{1} << (30 - F)) / 2 + 1;
+    const int64_t m = multiplier.raw() < 0 ? -static_cast<int64_t>(multiplier.raw()) : multiplier.raw();
+    const int64_t one = int64_t{1} << F;
+    const int64_t offset_units = offset == S{} ? 0 : half_unit;
+    if (m == one || m == 0) return static_cast<uint32_t>(half_unit + offset_units);
+    // value's rounding times m, the product's own, and m's rounding times the greatest value: (16 + |offset|) / m.
+    const int64_t driven = 16 * one + (offset.raw() < 0 ? -static_cast<int64_t>(offset.raw()) : offset.raw());
+    const int64_t units = ((half_unit * m) >> F) + 1 + half_unit + offset_units + half_unit * (driven / m + 1);
+    return units < (1 << 30) ? static_cast<uint32_t>(units) : 1u << 30;
   }
 };
 
@@ -111,8 +116,9 @@ template <> struct ScalarTraits<float> {
   static constexpr float rotation_units_times(float length, uint32_t units) {
     return length * static_cast<float>(units) * (1.0f / 2097152.0f) * 1.000001f;
   }
-  static constexpr uint32_t angle_units(float multiplier) {
-    return 4 + static_cast<uint32_t>(16.0f * (multiplier < 0 ? -multiplier : multiplier));
+  static constexpr uint32_t angle_units(float multiplier, float offset) {
+    const float m = multiplier < 0 ? -multiplier : multiplier, o = offset < 0 ? -offset : offset;
+    return 4 + static_cast<uint32_t>(4.0f * (16.0f + o + (m < 1024.0f ? m : 1024.0f)));
   }
 };
 

@@ -42,8 +42,8 @@ template <class S, class F> constexpr Vector3<S> scaled(const Vector3<S>& a, F f
 
 template <class T> constexpr bool is_zero(const Vector3<T>& a) { return a == Vector3<T>{}; }
 
-// A vector's length (rounded down, see length_of) and its direction: unit length within 2 units in the last place
-// of To a component; the zero vector has direction zero.
+// A vector's length (rounded down, see length_of) and its direction: each component within 6 units of 2^-30 and
+// half a unit in the last place of To (float: 2^-23); the zero vector has direction zero.
 template <class S, class To> struct Polar {
   S length{};
   Vector3<To> direction{};
@@ -56,7 +56,7 @@ template <class To> constexpr To direction_component(int32_t v, int normalising_
   const int32_t v31 = normalising_shift == 0 ? v >> 1 : shift_left(v, normalising_shift - 1);
   constexpr int shift = 61 - To::fraction_bits;
   const int64_t exact = static_cast<int64_t>(v31) * reciprocal;
-  return To::from_raw(static_cast<typename To::Raw>((exact + (int64_t{1} << (shift - 1))) >> shift));
+  return To::from_raw(static_cast<typename To::Raw>(shift_right_to_32<shift>(exact + (int64_t{1} << (shift - 1)))));
 }
 
 }  // namespace detail

@@ -166,8 +166,7 @@ constexpr NearestCapsule<S> clearance(const AnyField& field, const MovedCapsule<
   for (uint16_t i = 0; i < count; ++i) {
     const Capsule<S>& c = capsules[i].capsule;
     invalid.number = capsules[i].number;
-    if (!detail::may_be_asked(field, c.from, slots, slot_count) || !c.valid(Capsule<S>::kMovedAxisSlack) ||
-        !coordinates_in_domain(add_in_range(c.from, c.along(c.length))) || !(capsules[i].error >= S{})) {
+    if (!detail::may_be_asked(field, c.from, slots, slot_count) || !detail::in_domain(c) || !(capsules[i].error >= S{})) {
       return invalid;
     }
   }

@@ -11,7 +11,8 @@ enum class JointKind : uint8_t { fixed, revolute, prismatic };
 
 // A joint moves the link after its parent: link frame = parent frame * origin * motion(value about or along axis).
 // `variable` numbers the joint value that drives it, value = multiplier * variable + offset (URDF's mimic; 1 and 0
-// for a joint of its own). Radians or metres; limits apply to the variable times multiplier plus offset.
+// for a joint of its own). Radians or metres; limits apply to the variable times multiplier plus offset, and no joint
+// turns farther than 16 rad either way.
 template <class S> struct Joint {
   JointKind kind = JointKind::fixed;
   uint16_t parent = 0;
@@ -24,7 +25,8 @@ template <class S> struct Joint {
   S upper = ScalarTraits<S>::greatest();
 };
 
-// A ball (length 0) or capsule fixed to a link, in the link's frame.
+// A ball (length 0) or capsule fixed to a link, in the link's frame; all of it within half the domain (2 m for
+// Fixed<27>) of the link's origin, so that differences between placed bodies stay in range.
 template <class S> struct Body {
   uint16_t link = 0;
   Capsule<S> capsule;
@@ -104,7 +106,12 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
       valid_ = false;
       return 0;
     }
-    joints_[links_ - 1] = joint;
+    Joint<S>& added = joints_[links_ - 1];
+    added = joint;
+    if (joint.kind == JointKind::revolute) {
+      added.lower = greatest_of_two(joint.lower, -angle_limit());
+      added.upper = least_of_two(joint.upper, angle_limit());
+    }
     if (joint.kind != JointKind::fixed && joint.variable >= variables_) {
       variables_ = static_cast<uint16_t>(joint.variable + 1);
     }
@@ -112,7 +119,9 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
     return links_++;
   }
   constexpr void add_body(const Body<S>& body) {
-    if (bodies_ >= MaxBodies || body.link >= links_ || !body.capsule.valid() || !(body.capsule.radius > S{})) {
+    const S limit = ScalarTraits<S>::half(ScalarTraits<S>::domain());
+    if (bodies_ >= MaxBodies || body.link >= links_ || !body.capsule.valid() || !(body.capsule.radius > S{}) ||
+        !(body.capsule.extent() <= limit)) {
       valid_ = false;
       return;
     }
@@ -173,6 +182,11 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
     return Capsule<S>({}, joint.axis, ScalarTraits<S>::one(), S{}).valid();
   }
 
+  // Where sine and cosine are certified: 16 rad, or what the scalar holds.
+  static constexpr S angle_limit() {
+    return least_of_two(ScalarTraits<S>::times(ScalarTraits<S>::one(), 16), ScalarTraits<S>::greatest());
+  }
+
   // Rotation, in units: rounded origin 2, two products 3, and for a revolute joint the rounded result 2, sine and
   // cosine, an axis that is not a coordinate axis 5, the joint value's own rounding through multiplier and offset.
   // Position, in rounding units: origin and product 2, sums 1; a prismatic joint's value and axis 3 more.
@@ -185,7 +199,7 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
     error.position = parent.position + T::rotation_units_times(lever, parent.rotation) + T::times(unit, 3);
     error.rotation = parent.rotation + 5;
     if (joint.kind == JointKind::revolute) {
-      error.rotation += 2 + 2 * kSineErrorUnits + 5 + T::angle_units(joint.multiplier);
+      error.rotation += 2 + 2 * kSineErrorUnits + 5 + T::angle_units(joint.multiplier, joint.offset);
     } else if (joint.kind == JointKind::prismatic) {
       const S travel = greatest_of_two(absolute(joint.lower), absolute(joint.upper));
       error.position = error.position + T::rotation_units_times(travel, parent.rotation + 4) + T::times(unit, 3);

@@ -60,6 +60,11 @@ constexpr bool may_be_asked(const AnyField& field, const Vector3<S>& p, const Po
   return coordinates_in_domain(p);
 }
 
+// Both ends of a capsule within the domain, its axis as a pose may have turned it.
+template <class S> constexpr bool in_domain(const Capsule<S>& c) {
+  return c.valid(Capsule<S>::kMovedAxisSlack) && coordinates_in_domain(add_in_range(c.from, c.along(c.length)));
+}
+
 template <class S> constexpr bool valid_poses(const Pose<S>* slots, uint32_t count) {
   for (uint32_t i = 0; i < count; ++i) {
     if (!valid_pose(slots[i])) return false;

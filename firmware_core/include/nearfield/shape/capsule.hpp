@@ -5,7 +5,8 @@
 
 namespace nearfield {
 
-// All points within `radius` of the segment from `from`, `length` along `axis`. Metres; the axis is a unit vector
+// All points within `radius` of the segment from `from`, `length` (at most twice the domain) along `axis`. Metres;
+// the axis is a unit vector
 // (zero if the length is zero: then the capsule is a ball). Radius 0 is allowed: a bare segment.
 // Exact signed distance; budget: operations.hpp.
 template <class S> struct Capsule {
@@ -40,10 +41,10 @@ template <class S> struct Capsule {
     return subtract_in_range(relative, along(place));
   }
 
-  // Rounding units: start sqrt(3)/2, axis (2 units of 2^-30 a component) 1/2, place 1/2, its product sqrt(3)/2,
+  // Rounding units: start sqrt(3)/2, axis (6 units of 2^-30 a component, at 8 m) 6, place 1/2, its product sqrt(3)/2,
   // length 1, radius 1/2, root 1.
   constexpr Certificate<S> certificate(Reach<S> reach) const {
-    return exact_distance<S>(reach, extent(), valid(), 6);
+    return exact_distance<S>(reach, extent(), valid(), 11);
   }
   // No point of the capsule is farther than this from the local origin.
   constexpr S extent() const { return length_of<S>(sum_of_squares(from.x, from.y, from.z)) + length + radius; }
