@@ -78,7 +78,7 @@ std::string without(std::string text, const std::string& from, const std::string
 
 TEST_F(CommandBadInput, Scenes) {
   const Change changes[] = {
-      {"\"duration\": 24.0,", "\"duration\": 24.0,,", "expected"},
+      {"\"duration\": 24.0,", "\"duration\": 24.0,,", "unexpected \",\""},
       {"\"duration\": 24.0,", "\"duration\": 24.0, \"duration\": 24.0,", "duration: "},
       {"\"duration\"", "\"durations\"", "durations: unknown key \"durations\" (did you mean \"duration\"?)"},
       {"24.0", "0", "duration: 0 is out of range"},
@@ -93,15 +93,12 @@ TEST_F(CommandBadInput, Scenes) {
       {"[1.2, 1.6, 0.05]", "[1.2, 1.6]", "field.operands[0].size: "},
       {"[1.2, 1.6, 0.05]", "[1.2, -1.6, 0.05]", "field.operands[0].size[1]: -1.6 is out of range"},
       {"\"exterior_union\"", "\"exterior_onion\"", "field.type: unknown name \"exterior_onion\" (did you mean"},
-      {"\"rising_range\": 0.0125", "\"rising_range\": 0.3", "field.rising_range: 0.3 is out of range"},
+      {"\"rising_range\": 0.0125", "\"rising_range\": 0.3", "field.rising_range: 0.3 does not fit blend_radius 0.05"},
       {"\"position\": [0.8, -0.1, 0]", "\"position\": [5, -0.1, 0]", "field.operands[4]"},
       {"\"position\": [0.8, -0.1, 0]", "\"position\": [50, -0.1, 0]", "field.operands[4].position[0]: 50 is out of range"},
       {"\"person/head\"", "\"person/hat\"", "soft.operands[5].link: no link `"},
       {"\"person/head\"", "\"persona/head\"", "soft.operands[5].link: "},
       {"\"time\": 1.6,", "\"time\": 0.6,", "cycle.waypoints[2].time: "},
-      {"\"shoulder_pan_joint\": -0.3274", "\"shoulder_pan_joint\": 6.5", "cycle.waypoints[5].joints.shoulder_pan_joint: "},
-      {"\"elbow_joint\": 1.4109", "\"elbow_jiont\": 1.4109", "cycle.waypoints[5].joints"},
-      {"\"lean\": 0.28", "\"lean\": 2.8", "person.path[5].joints.lean: "},
       {"\"human_speed\": 1.6", "\"human_speed\": -1.6", "separation.human_speed: -1.6 is out of range"},
       {"\"reaction_time\": 0.08,", "", "separation.reaction_time: missing"},
       {"\"cell_slow\": 0.03", "\"cell_slow\": 0.004", "separation.cell_slow: "},
@@ -114,6 +111,25 @@ TEST_F(CommandBadInput, Scenes) {
     } else {
       expect_place(line, "scenes/bad.json", scene_, change);
     }
+  }
+}
+
+// What is wrong with a joint's value or name is said at its waypoint.
+TEST_F(CommandBadInput, JointValues) {
+  struct {
+    const char* waypoint;  // how its line starts
+    Change change;
+  } const cases[] = {
+      {"{\"time\": 3.4,", {"\"shoulder_pan_joint\": -0.3274", "\"shoulder_pan_joint\": 6.5",
+                           "cycle.waypoints[5].joints.shoulder_pan_joint: 6.500000 is outside the joint's limits"}},
+      {"{\"time\": 3.4,", {"\"elbow_joint\": 1.4109", "\"elbow_jiont\": 1.4109", "cycle.waypoints[5].joints"}},
+      {"{\"time\": 11.2,", {"\"lean\": 0.28", "\"lean\": 2.8",
+                            "person.path[5].joints.lean: 2.800000 is outside the joint's limits"}},
+  };
+  for (const auto& [waypoint, change] : cases) {
+    SCOPED_TRACE(change.to);
+    const std::string line = refused_scene(with(scene_, change.from, change.to));
+    expect_place(line, "scenes/bad.json", scene_, {waypoint, "", change.says});
   }
 }
 
@@ -173,7 +189,7 @@ TEST_F(CommandBadInput, Robots) {
   const Change changes[] = {
       {"<robot name=\"ur5e_like\">", "<robot nmae=\"ur5e_like\">", "robot"},
       {"<capsule radius=\"0.075\" length=\"0.04\"/>", "<capsule radius=\"-0.075\" length=\"0.04\"/>",
-       "robot/link[base_link]/collision[0]/geometry/capsule/@radius: "},
+       "robot/link[base_link]/collision[0]/geometry/capsule@radius: -0.075 is out of range"},
       {"<capsule radius=\"0.075\" length=\"0.04\"/>", "<capsule radius=\"75\" length=\"0.04\"/>", "robot/link[base_link]"},
       {"<capsule radius=\"0.075\" length=\"0.04\"/>", "<capsule raduis=\"0.075\" length=\"0.04\"/>", "robot/link[base_link]"},
       {"<capsule radius=\"0.075\" length=\"0.04\"/>", "<mesh filename=\"base.stl\"/>", "robot/link[base_link]"},

@@ -121,18 +121,19 @@ TEST_F(CheckCommand, NoProblemsAndNoObjects) {
   EXPECT_NO_THROW(parse_json(outcome.out, "output"));
 }
 
+// Joint values that do not fit the robot are refused at the object of joint values.
 TEST_F(CheckCommand, RefusesBadProblems) {
   struct {
     const char* from;
     const char* to;
     const char* line;
   } const cases[] = {
-      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": 0.625}", "bad.json:3:31: [0].goal.slide: 0.625"},
-      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": -0.5}", "bad.json:3:31: [0].goal.slide: -0.5"},
-      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": \"0\"}", "bad.json:3:41: [0].goal.slide: a string is not allowed"},
-      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"glide\": 0.25}", "bad.json:3:31: [0].goal.glide: the robot has no such joint"},
-      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {}", "bad.json:3:31: [0].goal: no value for the joint slide"},
-      {"\"goal\": {\"slide\": 0.25}", "\"gaol\": {\"slide\": 0.25}", "bad.json:3:23: [0].gaol: unknown key \"gaol\""},
+      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": 0.625}", "bad.json:3:35: [0].goal.slide: 0.625"},
+      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": -0.5}", "bad.json:3:35: [0].goal.slide: -0.5"},
+      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": \"0\"}", "bad.json:3:45: [0].goal.slide: a string is not allowed"},
+      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"glide\": 0.25}", "bad.json:3:35: [0].goal.glide: the robot has no such joint"},
+      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {}", "bad.json:3:35: [0].goal: no value for the joint slide"},
+      {"\"goal\": {\"slide\": 0.25}", "\"gaol\": {\"slide\": 0.25}", "bad.json:3:27: [0].gaol: unknown key \"gaol\""},
       {"{\"slide\": 0.125}}\n]", "{\"slide\": 0.125}}", "bad.json:5:"},
       {"{\"slide\": 0.125}}\n]", "{\"slide\": 0.125}}\n]]", "bad.json:6:2: "},
   };

@@ -92,11 +92,11 @@ template <class S, SetOperation operation> struct Exterior {
     using T = ScalarTraits<S>;
     const Sharp<S, operation> sharp;
     Certificate<S> both = sharp.certificate(a, b);
-    both.valid = both.valid && scale.consistent() && scale.limit <= T::domain() && facts.error < (1 << 24);
+    both.valid = both.valid && scale.consistent() && scale.limit <= T::domain() && facts.error >= 0 && facts.error < (1 << 24);
     const Rate spread = spread_of(facts);
     both.lipschitz = multiply_rates_up(both.lipschitz, spread);
     const S added = T::multiply_up(scale.limit, rate_up(facts.greatest_value));
-    const S removed = T::multiply_up(scale.limit, rate_up(-facts.least_value));
+    const S removed = T::multiply_up(scale.limit, rate_up(-int64_t{facts.least_value}));
     both.error = T::multiply_up(both.error, spread) + T::multiply_up(scale.limit, rate_up(facts.error)) +
                  T::times(T::rounding_unit(reach), 2);
     if constexpr (operation == SetOperation::unite) {
@@ -121,12 +121,16 @@ template <class S, SetOperation operation> struct Exterior {
   }
   static constexpr float difference_magnitude(float high, float low) { return high - low; }
 
-  // A non-negative Q30 bound as a rate.
-  static constexpr Rate rate_up(int32_t q30) { return Rate::from_raw(q30 <= 0 ? 0 : (q30 >> 6) + 1); }
+  // A non-negative Q30 bound as a rate, rounded up; 0 for negative ones.
+  static constexpr Rate rate_up(int64_t q30) {
+    return Rate::from_raw(q30 <= 0 ? 0 : static_cast<int32_t>((q30 >> 6) + 1));
+  }
+  // |1 + h'| + |h'| at its greatest.
   static constexpr Rate spread_of(const TableFacts& facts) {
-    const int32_t above = facts.greatest_slope > 0 ? facts.greatest_slope : 0;
-    const int32_t below = -kUnitRate.raw() - facts.least_slope > 0 ? -kUnitRate.raw() - facts.least_slope : 0;
-    return kUnitRate + Rate::from_raw(above > below ? above : below) + Rate::from_raw(above > below ? above : below);
+    const int64_t above = facts.greatest_slope, below = -int64_t{kUnitRate.raw()} - facts.least_slope;
+    const int64_t outside = above > below ? above : below;
+    ArithmeticStatus ignored;
+    return Rate::saturate(int64_t{kUnitRate.raw()} + (outside > 0 ? 2 * outside : 0), ignored);
   }
   static constexpr Rate multiply_rates_up(Rate a, Rate b) { return ScalarTraits<Rate>::multiply_up(a, b); }
 };

@@ -112,13 +112,15 @@ template <class A> struct NodeTraits<InSlot<A>> {
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
     const S d = ScalarTraits<S>::domain();
     const Reach<S> inner = inner_reach(reach, Vector3<S>{d, d, d});
-    return placed_certificate(NodeTraits<A>::certificate(node.a, inner), inner, PoseOrigin::run_time);
+    Certificate<S> placed = placed_certificate(NodeTraits<A>::certificate(node.a, inner), inner, PoseOrigin::run_time);
+    placed.valid = placed.valid && node.slot < kSlotLimit;
+    return placed;
   }
   static constexpr Budget budget(const Node& node) {
     return NodeTraits<A>::budget(node.a) + cortex_m4_cost(Operation::enter_slot) + cortex_m4_cost(Operation::leave);
   }
   static constexpr uint32_t slot_count(const Node& node) {
-    return greatest_of_two(node.slot + 1, NodeTraits<A>::slot_count(node.a));
+    return greatest_of_two(node.slot < kSlotLimit ? node.slot + 1 : kSlotLimit, NodeTraits<A>::slot_count(node.a));
   }
 };
 

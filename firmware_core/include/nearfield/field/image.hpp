@@ -14,7 +14,7 @@ enum class LoadStatus : uint8_t {
   wrong_size,          // truncated, or section sizes that do not add up
   crc_mismatch,
   wrong_scalar,        // made for another number type
-  bad_table,           // segment count, headroom or coefficients that could overflow
+  bad_table,           // segment count, headroom, coefficients that could overflow, or facts that do not hold
   unknown_operation,
   truncated_operation,
   bad_table_reference,
@@ -42,7 +42,6 @@ inline constexpr uint32_t table_header_words = 7;
 
 inline constexpr int kStackDepth = 8;   // results waiting to be blended
 inline constexpr int kFrameDepth = 4;   // nested frames
-inline constexpr uint32_t kSlotLimit = 64;
 inline constexpr uint32_t kImageWordLimit = 1u << 20;
 
 // CRC-32 (IEEE 802.3, reflected) of the image's words except the one that holds it.
@@ -258,31 +257,15 @@ template <class S> class Inspector {
   Inspection<S> result_;
 };
 
-// Whether the kernel can run on a table's coefficients without leaving the number range.
-template <class S> constexpr bool table_in_range(const uint32_t* table) {
-  if (table[1] > 3 || table[1] > table[0]) return false;
-  const TableFacts facts = read_facts(table);
-  if (facts.error < 0 || facts.least_value > facts.greatest_value || facts.least_slope > facts.greatest_slope) return false;
-  for (uint32_t i = 0; i < (1u << table[0]); ++i) {
-    const uint32_t* c = table + image_format::table_header_words + 4 * i;
-    if constexpr (ScalarTraits<S>::is_fixed) {
-      int64_t sum = 0;
-      for (int j = 1; j < 4; ++j) {
-        const int64_t stored = static_cast<int32_t>(c[j]);
-        sum += stored < 0 ? -stored : stored;
-      }
-      if (sum > greatest_of<int32_t>) return false;
-      const int64_t middle = static_cast<int32_t>(c[0]);
-      const int64_t swing = (sum >> (table[0] - table[1])) + 1;
-      if (middle + swing > greatest_of<int32_t> || middle - swing < least_of<int32_t>) return false;
-    } else {
-      for (int j = 0; j < 4; ++j) {
-        const float stored = bits_as<float>(c[j]);
-        if (!(stored > -64.0f && stored < 64.0f)) return false;
-      }
-    }
-  }
-  return true;
+// Whether the kernel can run on a table of the image without leaving the number range, and its facts hold. What the
+// coefficients cannot tell is facts.error: how far they are from the function that was meant.
+template <class S> constexpr bool table_holds(const uint32_t* table) {
+  if (table[1] > 3) return false;
+  const TableView<S> view = {table + image_format::table_header_words, static_cast<int>(table[0]), static_cast<int>(table[1])};
+  if (!coefficients_in_range(view)) return false;
+  const TableFacts claimed = read_facts(table), found = ranges_of(view);
+  return claimed.error >= 0 && claimed.least_value <= found.least_value && claimed.greatest_value >= found.greatest_value &&
+         claimed.least_slope <= found.least_slope && claimed.greatest_slope >= found.greatest_slope;
 }
 
 }  // namespace detail
@@ -311,7 +294,7 @@ template <class S> constexpr Inspection<S> inspect_image(const uint32_t* words, 
   const uint32_t tables_last = header_words + words[table_words];
   for (uint32_t table = header_words; table < tables_last;) {
     if (tables_last - table < table_header_words || words[table] < 3 || words[table] > 8 ||
-        tables_last - table - table_header_words < (4u << words[table]) || !detail::table_in_range<S>(words + table)) {
+        tables_last - table - table_header_words < (4u << words[table]) || !detail::table_holds<S>(words + table)) {
       return fail(LoadStatus::bad_table, table);
     }
     table += table_header_words + (4u << words[table]);

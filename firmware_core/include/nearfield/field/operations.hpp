@@ -39,6 +39,8 @@ template <class S> using ExteriorSubtraction = Exterior<S, SetOperation::subtrac
   X(0x0c, exterior_intersection, ExteriorIntersection) \
   X(0x0d, exterior_subtraction, ExteriorSubtraction)
 
+inline constexpr uint32_t kSlotLimit = 64;  // frame slots of a field
+
 // Frames: evaluate what follows, up to the matching `leave`, in the coordinates of a pose.
 enum class Operation : uint8_t {
 #define NEARFIELD_ENUMERATOR(code, name, type) name = code,

@@ -22,8 +22,10 @@ template <int F, class R> constexpr uint32_t phase_of(Fixed<F, R> angle) {
   return static_cast<uint32_t>((angle.raw() * per_turn + (int64_t{1} << (F + 1))) >> (F + 2));
 }
 constexpr uint32_t phase_of(float angle) {
-  if (!(angle > -1024.0f && angle < 1024.0f)) return 0;
-  return static_cast<uint32_t>(static_cast<int64_t>(angle * 683565275.6f));  // 2^32 / (2 pi)
+  if (!(angle >= -16.0f && angle <= 16.0f)) return 0;
+  const float turns = angle * 0.15915494309f;
+  const float rest = turns - static_cast<float>(static_cast<int32_t>(turns));  // within (-1, 1)
+  return static_cast<uint32_t>(static_cast<int32_t>(rest * 2147483648.0f)) << 1;
 }
 
 constexpr uint32_t quarter_argument(uint32_t q30, Fixed<30>) { return q30 << 1; }
@@ -40,7 +42,7 @@ template <class S> struct SineCosine {
 // the table's 5, the reduction's 3.
 inline constexpr uint32_t kSineErrorUnits = 8;
 
-// For |angle| <= 16 rad (float: 1024; NaN and beyond: the angle 0). Cost on Cortex-M4: about 50 instructions.
+// For |angle| <= 16 rad; beyond, Fixed with wider range lose accuracy, and a float (NaN as well) counts as 0. Cost on Cortex-M4: about 50 instructions.
 template <class S> constexpr SineCosine<S> sine_cosine(S angle) {
   const uint32_t phase = detail::phase_of(angle);
   const uint32_t rest = phase & 0x3fffffffu;

@@ -155,7 +155,8 @@ template <class To, int F, class R> constexpr To narrow(WideProduct<F, R> wide) 
   ArithmeticStatus ignored;
   return narrow<To>(wide, ignored);
 }
-// The same rounding for results that are known to be representable; wraps otherwise.
+// The same rounding for results that are known to be representable, from products that have room for the half that
+// rounding adds; wraps otherwise.
 template <class To, int F, class R> constexpr To narrow_in_range(WideProduct<F, R> wide) {
   constexpr int shift = F - To::fraction_bits;
   static_assert(shift > 0, "narrowing drops fraction bits");

@@ -70,7 +70,7 @@ template <class To, int F, class R> constexpr Polar<Fixed<F, R>, To> polar(const
 }
 template <class To> constexpr Polar<float, float> polar(const Vector3<float>& v) {
   const float length = square_root(sum_of_squares(v.x, v.y, v.z));
-  if (!(length > 0.0f)) return {};
+  if (!(length > 0.0f)) return {length, {}};
   return {length, {v.x / length, v.y / length, v.z / length}};
 }
 

@@ -19,34 +19,9 @@ constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 constexpr int64_t round_to_integer(double x) {
   return x < 0 ? -static_cast<int64_t>(0.5 - x) : static_cast<int64_t>(x + 0.5);
 }
-constexpr int32_t round_outwards(double x, double scale, bool up) {
+constexpr int32_t round_up(double x, double scale) {
   const double scaled = x * scale;
-  int64_t down = static_cast<int64_t>(scaled);
-  if (static_cast<double>(down) > scaled) --down;
-  const int64_t result = up && static_cast<double>(down) < scaled ? down + 1 : down;
-  return result > greatest_of<int32_t> ? greatest_of<int32_t>
-                                       : result < -greatest_of<int32_t> ? -greatest_of<int32_t>
-                                                                        : static_cast<int32_t>(result);
-}
-
-struct Range {
-  double least = 0.0;
-  double greatest = 0.0;
-  constexpr void include(double x) {
-    if (x < least) least = x;
-    if (x > greatest) greatest = x;
-  }
-};
-
-constexpr double exact_square_root(double x) {
-  if (!(x > 0.0)) return 0.0;
-  double y = x > 1.0 ? x : 1.0;
-  for (int i = 0; i < 64; ++i) {
-    const double next = 0.5 * (y + x / y);
-    if (next == y) break;
-    y = next;
-  }
-  return y;
+  return scaled < 2147483646.0 ? static_cast<int32_t>(scaled) + 1 : greatest_of<int32_t>;
 }
 
 // The cubic c0 + s (c1 + s (c2 + s c3)) h on s in [-1/2, 1/2], h the segment's width.
@@ -54,28 +29,6 @@ struct Cubic {
   double c[4] = {};
   double h = 1.0;
   constexpr double value(double s) const { return c[0] + s * (c[1] + s * (c[2] + s * c[3])) * h; }
-  constexpr double slope(double s) const { return c[1] + s * (2 * c[2] + s * 3 * c[3]); }
-  constexpr void include_extremes(Range& values, Range& slopes) const {
-    values.include(value(-0.5));
-    values.include(value(0.5));
-    slopes.include(slope(-0.5));
-    slopes.include(slope(0.5));
-    if (c[3] != 0.0) {
-      const double s = -c[2] / (3 * c[3]);
-      if (s > -0.5 && s < 0.5) slopes.include(slope(s));
-      const double discriminant = c[2] * c[2] - 3 * c[3] * c[1];
-      if (discriminant >= 0.0) {
-        const double root = exact_square_root(discriminant);
-        for (int sign = -1; sign <= 1; sign += 2) {
-          const double t = (-c[2] + sign * root) / (3 * c[3]);
-          if (t > -0.5 && t < 0.5) values.include(value(t));
-        }
-      }
-    } else if (c[2] != 0.0) {
-      const double t = -c[1] / (2 * c[2]);
-      if (t > -0.5 && t < 0.5) values.include(value(t));
-    }
-  }
 };
 
 }  // namespace detail
@@ -121,7 +74,6 @@ constexpr Table<S, Log2Segments> bake(const Function& function) {
 
   const double value_scale = 1073741824.0;
   const double slope_scale = 1073741824.0 / (1 << headroom);
-  detail::Range values{2.0, -2.0}, slopes{16.0, -16.0};
   double error = 0.0;
   for (int i = 0; i < segments; ++i) {
     detail::Cubic& cubic = cubics[i];
@@ -134,25 +86,16 @@ constexpr Table<S, Log2Segments> bake(const Function& function) {
       if constexpr (ScalarTraits<S>::is_fixed) table.coefficients[4 * i + j] = static_cast<uint32_t>(static_cast<int32_t>(stored));
       else table.coefficients[4 * i + j] = bits_as<uint32_t>(static_cast<float>(cubic.c[j]));
     }
-    cubic.include_extremes(values, slopes);
     for (int place = 0; place < 8; ++place) {
       const double s = (place + 0.5) / 8 - 0.5;
       const double difference = detail::magnitude(cubic.value(s) - function((i + 0.5 + s) * h).value);
       if (difference > error) error = difference;
     }
   }
-  if (!fits) {
-    table.facts.error = greatest_of<int32_t>;
-    return table;
-  }
+  fits = fits && coefficients_in_range(table.view());
+  table.facts = ranges_of(table.view());
   const double kernel = ScalarTraits<S>::is_fixed ? 3.0 / value_scale : 1.0 / 2097152.0;
-  table.facts.error = detail::round_outwards(1.25 * error + kernel, value_scale, true);
-  table.facts.least_value = detail::round_outwards(values.least - kernel, value_scale, false);
-  table.facts.greatest_value = detail::round_outwards(values.greatest + kernel, value_scale, true);
-  const double slope_kernel = ScalarTraits<S>::is_fixed ? 4.0 / slope_scale + 1.0 / (uint64_t{2} << fraction_bits_of<S>)
-                                                        : 16.0 / 2097152.0;
-  table.facts.least_slope = detail::round_outwards(slopes.least - slope_kernel, 16777216.0, false);
-  table.facts.greatest_slope = detail::round_outwards(slopes.greatest + slope_kernel, 16777216.0, true);
+  table.facts.error = fits ? detail::round_up(1.25 * error + kernel, value_scale) : greatest_of<int32_t>;
   return table;
 }
 

@@ -26,6 +26,14 @@ template <class S> struct TableView {
   int slope_headroom = 0;
 };
 
+// Whether every intermediate result of the kernel stays in range on these coefficients: |c1| + |c2| + |c3| leaves room
+// for the slope and its rounding, c0 for the value. 2^k segments, headroom within 0 ... 3 and k.
+template <class S> constexpr bool coefficients_in_range(const TableView<S>& table);
+
+// Value and slope ranges of a table, rounded outwards, from its coefficients alone; error is left 0. Integer
+// arithmetic: the same on the host, in a constant expression and on a target that checks an image.
+template <class S> constexpr TableFacts ranges_of(const TableView<S>& table);
+
 // Arguments: a fraction of the table's range in [0, 1), Q31 for Fixed. At or beyond the end callers do not ask.
 template <class S> struct TableArgument { using type = uint32_t; };
 template <> struct TableArgument<float> { using type = float; };
@@ -77,6 +85,97 @@ constexpr TableSample<S> sample_table(const TableView<S>& table, typename TableA
     if constexpr (with_slope) result.slope = outer + (inner + c[3] * s) * s;
     return result;
   }
+}
+
+namespace detail {
+
+// Coefficients of one segment as integers: c0 in Q30, the others in Q(30 - headroom), and how far off that may be.
+struct IntegerSegment {
+  int64_t c[4];
+  int64_t slack;
+};
+template <class S> constexpr IntegerSegment integer_segment(const TableView<S>& table, int segment) {
+  IntegerSegment result = {};
+  for (int j = 0; j < 4; ++j) {
+    const uint32_t word = table.coefficients[4 * segment + j];
+    if constexpr (ScalarTraits<S>::is_fixed) {
+      result.c[j] = static_cast<int32_t>(word);
+      result.slack = 4;
+    } else {
+      const float coefficient = bits_as<float>(word);
+      const bool usable = coefficient > -63.0f && coefficient < 63.0f;  // false for NaN
+      const int64_t q24 = usable ? static_cast<int32_t>(coefficient * 16777216.0f) : int64_t{1} << 40;
+      result.c[j] = j == 0 ? q24 * 64 : q24 * 64 / (int64_t{1} << table.slope_headroom);
+      result.slack = 2048;
+    }
+  }
+  return result;
+}
+constexpr int64_t magnitude_of(int64_t x) { return x < 0 ? -x : x; }
+
+struct IntegerRange {
+  int64_t least = int64_t{1} << 62, greatest = -(int64_t{1} << 62);
+  constexpr void include(int64_t x) {
+    if (x < least) least = x;
+    if (x > greatest) greatest = x;
+  }
+};
+constexpr int32_t to_int32(int64_t x) {
+  return x > greatest_of<int32_t> ? greatest_of<int32_t> : x < -greatest_of<int32_t> ? -greatest_of<int32_t>
+                                                                                      : static_cast<int32_t>(x);
+}
+
+}  // namespace detail
+
+template <class S> constexpr bool coefficients_in_range(const TableView<S>& table) {
+  const int headroom = table.slope_headroom, k = table.log2_segments;
+  if (headroom < 0 || headroom > 3 || headroom > k) return false;
+  for (int i = 0; i < (1 << k); ++i) {
+    const detail::IntegerSegment segment = detail::integer_segment(table, i);
+    const int64_t* c = segment.c;
+    const int64_t sum = detail::magnitude_of(c[1]) + detail::magnitude_of(c[2]) + detail::magnitude_of(c[3]);
+    if (sum > greatest_of<int32_t> - (1 << 23)) return false;
+    if (detail::magnitude_of(c[0]) + (sum >> (k - headroom)) > greatest_of<int32_t> - 8) return false;
+  }
+  return true;
+}
+
+template <class S> constexpr TableFacts ranges_of(const TableView<S>& table) {
+  const int k = table.log2_segments, headroom = table.slope_headroom;
+  detail::IntegerRange values, slopes;  // Q30, Q(30 - headroom)
+  int64_t slack = 0;
+  for (int i = 0; i < (1 << k); ++i) {
+    const detail::IntegerSegment segment = detail::integer_segment(table, i);
+    const int64_t* c = segment.c;
+    slack = segment.slack;
+    detail::IntegerRange slope;
+    slope.include((4 * c[1] - 4 * c[2] + 3 * c[3]) >> 2);
+    slope.include((4 * c[1] + 4 * c[2] + 3 * c[3]) >> 2);
+    if (c[3] != 0 && 2 * detail::magnitude_of(c[2]) < 3 * detail::magnitude_of(c[3])) {
+      slope.include(c[1] - c[2] * c[2] / (3 * c[3]));
+    }
+    slopes.include(slope.least);
+    slopes.include(slope.greatest);
+    const int64_t left = c[0] + ((-4 * c[1] + 2 * c[2] - c[3]) >> (3 + k - headroom));
+    const int64_t right = c[0] + ((4 * c[1] + 2 * c[2] + c[3]) >> (3 + k - headroom));
+    values.include(left);
+    values.include(right);
+    // A turning point within the segment lies no farther beyond an end than the slope can carry it.
+    if (slope.least < 0 && slope.greatest > 0) {
+      const int64_t fall = ((-slope.least) >> (k - headroom)) + 1, rise = (slope.greatest >> (k - headroom)) + 1;
+      values.include(left - fall > right - rise ? left - fall : right - rise);
+      values.include(left + rise < right + fall ? left + rise : right + fall);
+    }
+  }
+  const int64_t slope_unit = int64_t{1} << (6 - headroom);  // of Q24 in Q(30 - headroom)
+  TableFacts facts;
+  facts.least_value = detail::to_int32(values.least - slack);
+  facts.greatest_value = detail::to_int32(values.greatest + slack);
+  // Rounding of the slope to S: half a unit in its last place.
+  const int64_t rounding = ScalarTraits<S>::is_fixed && fraction_bits_of<S> < 24 ? (int64_t{1} << (24 - fraction_bits_of<S>)) / 2 : 1;
+  facts.least_slope = detail::to_int32((slopes.least - slack) / slope_unit - 1 - rounding);
+  facts.greatest_slope = detail::to_int32((slopes.greatest + slack) / slope_unit + 1 + rounding);
+  return facts;
 }
 
 // A table as a value: coefficients and facts, made by bake() in bake.hpp, to be kept in read-only memory.
