@@ -169,6 +169,104 @@ void query_cost() {
   report("query", {kQueryShare, around}, kCortexM4QueryCost);
 }
 
+// What the queries above fields cost: each over random inputs that meet their preconditions.
+using TestChain = Chain<Q, 9, 9>;
+__attribute__((noinline)) KinematicsStatus poses_of(const TestChain& chain, const Q* values, Pose<Q>* poses) {
+  return chain.link_poses(values, poses);
+}
+__attribute__((noinline)) Capsule<Q> body_of(const TestChain& chain, const Pose<Q>* poses) { return chain.placed_body(0, poses); }
+__attribute__((noinline)) SeparatedBy<Q> separation_of(const Capsule<Q>& a, const Capsule<Q>& b) { return separation(a, b); }
+__attribute__((noinline)) NearestCapsule<Q> nearest_of(const Program<Q>& program, const MovedCapsule<Q>* capsules, uint16_t count,
+                                                       Stretch<Q>* stretches, int refinements) {
+  return clearance(program, capsules, count, stretches, {refinements, Q{}});
+}
+
+template <class Work> uint32_t worst_over(int trials, Work&& work) {
+  uint32_t worst = 0;
+  for (int i = 0; i < trials; ++i) {
+    const uint32_t count = work();
+    if (count > worst) worst = count;
+  }
+  return worst;
+}
+
+Capsule<Q> random_capsule(Random& random) {
+  const Vector3<Q> a = random.point(), b = random.next() % 16 == 0 ? a : random.point();
+  return Capsule<Q>(a, b, Q(0.1));
+}
+
+void one(const char* name, uint32_t measured, uint32_t stated) { report(name, {measured, 0}, {stated, 0}); }
+
+void query_costs() {
+  using Monitor = ArmMonitor<TestChain, TestChain, Program<Q>, Program<Q>>;
+  Random random;
+  static TestChain chain, sliding;
+  Joint<Q> joint;
+  joint.axis = {0.6, 0.0, 0.8};
+  joint.origin.translation = {0.1, 0.1, 0.1};
+  for (uint16_t i = 0; i < 8; ++i) {
+    joint.parent = joint.variable = i;
+    joint.kind = JointKind::revolute;
+    chain.add_joint(joint);
+    joint.kind = JointKind::prismatic;
+    sliding.add_joint(joint);
+  }
+  chain.add_body({8, Capsule<Q>(Vector3<Q>{0.0, 0.1, 0.0}, Vector3<Q>{0.1, 0.2, 0.3}, Q(0.1))});
+  static Pose<Q> poses[9];
+  const auto worst_poses = [&](const TestChain& robot, int32_t reach) {
+    return worst_over(500, [&] {
+      Q values[8];
+      for (Q& value : values) value = Q::from_raw(static_cast<int32_t>(random.next()) / reach);
+      mps2::start_instruction_count();
+      const KinematicsStatus status = poses_of(robot, values, poses);
+      const uint32_t count = mps2::stop_instruction_count();
+      sink = static_cast<int32_t>(status);
+      return count;
+    });
+  };
+  one("eight revolute joints", worst_poses(chain, 2), chain.poses_budget());
+  one("eight prismatic joints", worst_poses(sliding, 512), sliding.poses_budget());
+  one("placed body", worst_over(10, [&] {
+        mps2::start_instruction_count();
+        const Capsule<Q> body = body_of(chain, poses);
+        const uint32_t count = mps2::stop_instruction_count();
+        sink = body.length.raw();
+        return count;
+      }), Monitor::cost_per_placed_body);
+  one("capsule pair", 25 + worst_over(20000, [&] {
+        const Capsule<Q> a = random_capsule(random), b = random_capsule(random);
+        mps2::start_instruction_count();
+        const SeparatedBy<Q> apart = separation_of(a, b);
+        const uint32_t count = mps2::stop_instruction_count();
+        sink = apart.distance.raw();
+        return count;
+      }), kCapsulePairCost);
+
+  Builder builder;
+  builder.operation(Box<Q>{{0.1, 0.0, 0.0}, {0.3, 0.2, 0.4}}).operation(Sphere<Q>{{0.15, 0.25, 0.0}, 0.3}).operation(SharpUnion<Q>{});
+  builder.finish();
+  const Program<Q> program = load<Q>(builder.words(), builder.size() * 4);
+  static Stretch<Q> stretches[16 + kMostRefinements];
+  static MovedCapsule<Q> capsules[16];
+  constexpr int efforts[] = {0, 12, kMostRefinements};
+  constexpr uint16_t counts[] = {1, 9, 16};
+  for (const int refinements : efforts) {
+    for (const uint16_t count : counts) {
+      mps2::write_decimal(count);
+      mps2::write(" capsules, ");
+      mps2::write_decimal(static_cast<uint64_t>(refinements));
+      one(" refinements", worst_over(300, [&] {
+            for (MovedCapsule<Q>& c : capsules) c.capsule = random_capsule(random);
+            mps2::start_instruction_count();
+            const NearestCapsule<Q> nearest = nearest_of(program, capsules, count, stretches, refinements);
+            const uint32_t instructions = mps2::stop_instruction_count();
+            sink = nearest.clearance.distance.raw();
+            return instructions;
+          }), sweep_budget(program, count, static_cast<uint32_t>(refinements)));
+    }
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -189,5 +287,6 @@ int main() {
   soft_costs();
   frame_costs();
   query_cost();
+  query_costs();
   return failures == 0 ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Nearfield installed into a folder and used from there: found by CMake in C++, and from C with nothing but the header
-# and the static library, linked without a C++ library. Both give the same answers.
+# Nearfield installed into a folder and used from there: found by CMake in C++, and from C with nothing but
+# the header and the static library, linked without a C++ library. Both give the same answers.
 set -eu
 source_dir=${NEARFIELD_SOURCE_DIR:-$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)}
 cmake=${CMAKE:-cmake}

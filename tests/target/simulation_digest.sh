@@ -1,6 +1,6 @@
 #!/bin/sh
-# The default work cell, baked and run on the emulated board: the host's digest, no tick above 100,000 instructions or
-# above its budget, and no more stack than the call graph permits.
+# The default work cell, baked and run on the emulated board: the host's digest, no tick above 100,000
+# instructions or above its budget, and no more stack than the call graph permits.
 set -eu
 . "$(dirname -- "$0")/image/build_image.sh"
 skip_without arm-none-eabi-g++ arm-none-eabi-objdump qemu-system-arm
@@ -14,7 +14,8 @@ status=0
 cat target.txt
 
 host_digest=$(grep '^digest [0-9a-f]\{16\}$' host.txt) || fail "the host prints no digest"
-target_digest=$(grep '^digest [0-9a-f]\{16\}$' target.txt) || fail "the target prints no digest (exit status $status)"
+target_digest=$(grep '^digest [0-9a-f]\{16\}$' target.txt) ||
+  fail "the target prints no digest (exit status $status)"
 [ "$target_digest" = "$host_digest" ] || fail "the target's $target_digest is not the host's $host_digest"
 
 figure() { sed -n "s/^.*$1 \([0-9]*\).*\$/\1/p" target.txt; }
@@ -24,7 +25,8 @@ stack=$(figure 'greatest stack')
 [ -n "$worst" ] && [ -n "$budget" ] || fail "the target prints no instructions a tick"
 [ -n "$stack" ] || fail "the target prints no greatest stack"
 [ "$worst" -le "$budget" ] || fail "the worst tick took $worst instructions, above the budget of $budget"
-[ "$worst" -le "$most_instructions" ] || fail "the worst tick took $worst instructions, above $most_instructions"
+[ "$worst" -le "$most_instructions" ] ||
+  fail "the worst tick took $worst instructions, above $most_instructions"
 [ "$status" -eq 0 ] || fail "the image ended with status $status"
 
 arm-none-eabi-objdump -d --no-show-raw-insn "$image" |

@@ -1,5 +1,5 @@
-// The 1,400 configurations of 700 planning problems of a real arm, in fixed point, against the clearances that an
-// independent program found for them in double precision.
+// The 1,400 configurations of 700 planning problems of a real arm, in fixed point, against the clearances
+// that an independent program found for them in double precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,8 @@ struct Shortfalls {
     EXPECT_LE(distance, expected);
     EXPECT_NE(reported.status, ClearanceStatus::invalid);
     EXPECT_LE(expected - distance, greatest_shortfall);
-    EXPECT_EQ(reported.status == ClearanceStatus::clear, expected > 0.0) << "the true clearance is " << expected;
+    EXPECT_EQ(reported.status == ClearanceStatus::clear, expected > 0.0)
+        << "the true clearance is " << expected;
     all.push_back(expected - distance);
   }
 
@@ -41,8 +42,9 @@ struct Shortfalls {
     return *middle;
   }
   void print(const char* to) const {
-    std::printf("clearance to %s: %zu configurations, too small by %.3f um at the most, %.3f um in the median\n", to,
-                all.size(), 1e6 * greatest(), 1e6 * median());
+    std::printf(
+        "clearance to %s: %zu configurations, too small by %.3f um at the most, %.3f um in the median\n", to,
+        all.size(), 1e6 * greatest(), 1e6 * median());
   }
 };
 
@@ -50,7 +52,8 @@ TEST(Panda, ClearancesOfAllConfigurations) {
   const char* shared = std::getenv("NEARFIELD_SHARED_DATA");
   if (shared == nullptr) GTEST_SKIP() << "NEARFIELD_SHARED_DATA is not set: the panda data is not checked";
   const std::filesystem::path folder = std::filesystem::path(shared) / "panda";
-  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << folder << " is not there: the panda data is not checked";
+  if (!std::filesystem::is_directory(folder))
+    GTEST_SKIP() << folder << " is not there: the panda data is not checked";
   const auto path = [&folder](const char* name) { return (folder / name).string(); };
 
   const std::vector<CheckedProblem> checked =

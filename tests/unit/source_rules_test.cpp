@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 const fs::path root = NEARFIELD_SOURCE_DIR;
 
 // Lowest first. A header includes its own floor and those below.
-constexpr std::array<const char*, 8> floors = {"number", "table", "curve",  "shape",
+constexpr std::array<const char*, 8> floors = {"number", "table",  "curve", "shape",
                                                "blend",  "modify", "field", "query"};
 
 std::string text_of(const fs::path& file) {
@@ -57,8 +57,8 @@ std::size_t floor_of(const std::string& path) {
   return static_cast<std::size_t>(std::find(floors.begin(), floors.end(), folder) - floors.begin());
 }
 
-// What is wrong with an #include in a header (its path relative to include/nearfield) or, with an empty path, in a
-// source file; empty if nothing is.
+// What is wrong with an #include in a header (its path relative to include/nearfield) or, with an empty path,
+// in a source file; empty if nothing is.
 std::string fault_of_include(const std::string& header, const std::string& included) {
   if (included == "<stdint.h>" || included == "<stddef.h>") return "";
   if (included.size() > 2 && included.front() == '"' && included.back() == '"') {
@@ -132,8 +132,9 @@ TEST(SourceRules, CompiledFirmwareSourcesKnowNoDouble) {
 }
 
 TEST(SourceRules, FoldersOfTheRoot) {
-  const std::set<std::string> allowed = {"firmware_core", "host_sim", "ports", "tests", "toolchains",
-                                         "build", "out"};  // the last two are not part of the sources
+  const std::set<std::string> allowed = {
+      "firmware_core", "host_sim", "ports", "tests",
+      "toolchains",    "build",    "out"};  // the last two are not part of the sources
   for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
     const std::string name = entry.path().filename().string();
     if (!entry.is_directory() || name.front() == '.') continue;
@@ -142,13 +143,28 @@ TEST(SourceRules, FoldersOfTheRoot) {
 }
 
 // Written in two parts each, so that this file does not hold them.
-const std::vector<std::string> machine_paths = {"/ho" "me/", "/ro" "ot/", "/wo" "rk/", "/us" "r/local", "/op" "t/",
-                                                "/mn" "t/", "C:" "\\"};
+const std::vector<std::string> machine_paths = {
+    "/ho"
+    "me/",
+    "/ro"
+    "ot/",
+    "/wo"
+    "rk/",
+    "/us"
+    "r/local",
+    "/op"
+    "t/",
+    "/mn"
+    "t/",
+    "C:"
+    "\\"};
 
-// The first web address whose host is none of those that sources may name (a licence, the namespaces of formats,
-// papers); empty if there is none.
+// The first web address whose host is none of those that sources may name (a licence, the namespaces of
+// formats, papers); empty if there is none.
 std::string foreign_address(const std::string& text) {
-  static const std::regex address("[a-z]+:" "//([A-Za-z0-9.-]+)[^\\s\"'<>)]*");
+  static const std::regex address(
+      "[a-z]+:"
+      "//([A-Za-z0-9.-]+)[^\\s\"'<>)]*");
   const std::set<std::string> allowed = {"www.apache.org", "www.w3.org", "doi.org"};
   for (std::sregex_iterator match(text.begin(), text.end(), address), end; match != end; ++match) {
     if (allowed.count((*match)[1].str()) == 0) return match->str();
@@ -157,8 +173,12 @@ std::string foreign_address(const std::string& text) {
 }
 
 TEST(SourceRules, NoMachinePathsAndNoForeignAddresses) {
-  EXPECT_NE(foreign_address("see https:" "//packages.example.org/x"), "");
-  EXPECT_EQ(foreign_address("http:" "//www.w3.org/2000/svg"), "");
+  EXPECT_NE(foreign_address("see https:"
+                            "//packages.example.org/x"),
+            "");
+  EXPECT_EQ(foreign_address("http:"
+                            "//www.w3.org/2000/svg"),
+            "");
   std::size_t seen = 0;
   for (const fs::directory_entry& top : fs::directory_iterator(root)) {
     const std::string name = top.path().filename().string();

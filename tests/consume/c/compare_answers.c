@@ -1,5 +1,5 @@
-/* Loads a field image through the C interface and compares its answers, to the bit, with those that C++ wrote:
-   compare_answers IMAGE ANSWERS. */
+/* Loads a field image through the C interface and compares its answers, to the bit, with those that C++
+   wrote: compare_answers IMAGE ANSWERS. */
 #include <nearfield/nearfield.h>
 
 #include <stdio.h>
@@ -44,12 +44,13 @@ int main(int count, char** arguments) {
   }
   answers = fopen(arguments[2], "r");
   if (answers == NULL) return 1;
-  while (fscanf(answers, "%d %d %d %d %d %d %d %d", &point[0], &point[1], &point[2], &status, &distance, &direction[0],
-                &direction[1], &direction[2]) == 8) {
+  while (fscanf(answers, "%d %d %d %d %d %d %d %d", &point[0], &point[1], &point[2], &status, &distance,
+                &direction[0], &direction[1], &direction[2]) == 8) {
     const nearfield_clearance c = nearfield_clearance_at(&field, point, &pose, 1);
-    if (c.status != status || c.distance != distance || memcmp(c.direction, direction, sizeof direction) != 0) {
-      fprintf(stderr, "at %d %d %d: status %d, distance %d; in C++ %d, %d\n", point[0], point[1], point[2], c.status,
-              c.distance, status, distance);
+    if (c.status != status || c.distance != distance ||
+        memcmp(c.direction, direction, sizeof direction) != 0) {
+      fprintf(stderr, "at %d %d %d: status %d, distance %d; in C++ %d, %d\n", point[0], point[1], point[2],
+              c.status, c.distance, status, distance);
       return 1;
     }
     ++compared;
@@ -58,7 +59,8 @@ int main(int count, char** arguments) {
     invalid += c.status == NEARFIELD_INVALID;
   }
   fclose(answers);
-  printf("%d answers are the same in C and C++: %d clear, %d touching, %d invalid\n", compared, clear, touching, invalid);
+  printf("%d answers are the same in C and C++: %d clear, %d touching, %d invalid\n", compared, clear,
+         touching, invalid);
   if (compared != 121 || clear == 0 || touching == 0 || invalid == 0) return 1;
 
   /* What is missing or damaged answers invalid. */

@@ -1,5 +1,5 @@
-// Builds a field image, loads it, and writes both it and the answers to some points for a program in C to compare:
-// write_answers IMAGE ANSWERS. An answer is a line of integers: point, status, distance, direction.
+// Builds a field image, loads it, and writes both it and the answers to some points for a program in C to
+// compare: write_answers IMAGE ANSWERS. An answer is a line of integers: point, status, distance, direction.
 #include <nearfield/field/builder.hpp>
 #include <nearfield/nearfield.hpp>
 
@@ -49,10 +49,12 @@ int main(int count, char** arguments) {
   slot.translation = {0.75, 0.0, 0.0};
   for (int x = -5; x <= 5; ++x) {
     for (int y = -5; y <= 5; ++y) {
-      const Vector3<Q> p = {Q::from_raw(x * 123456789), Q::from_raw(y * 98765432), Q::from_raw((x - y) * 1234567)};
+      const Vector3<Q> p = {Q::from_raw(x * 123456789), Q::from_raw(y * 98765432),
+                            Q::from_raw((x - y) * 1234567)};
       const Clearance<Q> c = clearance(program, p, &slot, 1);
-      std::fprintf(answers, "%d %d %d %d %d %d %d %d\n", p.x.raw(), p.y.raw(), p.z.raw(), static_cast<int>(c.status),
-                   c.distance.raw(), c.direction.x.raw(), c.direction.y.raw(), c.direction.z.raw());
+      std::fprintf(answers, "%d %d %d %d %d %d %d %d\n", p.x.raw(), p.y.raw(), p.z.raw(),
+                   static_cast<int>(c.status), c.distance.raw(), c.direction.x.raw(), c.direction.y.raw(),
+                   c.direction.z.raw());
     }
   }
   return std::fclose(answers) == 0 ? 0 : 1;

@@ -1,6 +1,6 @@
-# Sourced by the scripts of tests/target: builds the image of the default work cell in the folder ./image of the
-# caller, from a clean configuration of the preset cortex-m4. Sets `image` and `library`.
-# Reads NEARFIELD_SOURCE_DIR, NEARFIELD_BUILD_DIR (a host build) and CMAKE; each has a default for runs by hand.
+# Sourced by the scripts of tests/target: builds the image of the default work cell in the folder ./image of
+# the caller, from a clean configuration of the preset cortex-m4. Sets `image` and `library`. Reads
+# NEARFIELD_SOURCE_DIR, NEARFIELD_BUILD_DIR (a host build) and CMAKE; each has a default for runs by hand.
 
 source_dir=${NEARFIELD_SOURCE_DIR:-$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)}
 host_tool=${NEARFIELD_BUILD_DIR:-$source_dir/build/host}/host_sim/nearfield

@@ -1,8 +1,8 @@
-# Reads `objdump -d --no-show-raw-insn` of a Thumb image. Prints the greatest stack that a call of `root` can use, as
-# `stack BYTES` and one line for each function of that path. Fails, with a line on what and where, for recursion
-# anywhere, and for what would make the figure wrong in a function that `root` reaches: calls through a register,
-# stack of a size that is not a constant.
-# A function's own stack is the sum of all that it pushes, so never too small.
+# Reads `objdump -d --no-show-raw-insn` of a Thumb image. Prints the greatest stack that a call of `root` can
+# use, as `stack BYTES` and one line for each function of that path. Fails, with a line on what and where, for
+# recursion anywhere, and for what would make the figure wrong in a function that `root` reaches: calls
+# through a register, stack of a size that is not a constant. A function's own stack is the sum of all that it
+# pushes, so never too small.
 
 function complain(text) {
   print text
@@ -25,8 +25,8 @@ function number_of(hexadecimal, i, number) {
   return number
 }
 
-# The function that an address lies in, "" if it lies in none. Names beside branch targets are no help: objdump takes
-# any symbol of that value, even one that is a size.
+# The function that an address lies in, "" if it lies in none. Names beside branch targets are no help:
+# objdump takes any symbol of that value, even one that is a size.
 function function_at(address, low, high, middle) {
   low = 0
   high = function_count + 1
@@ -83,7 +83,9 @@ BEGIN { FS = "\t" }
   sub(/^[0-9a-f]+ </, "", name)
   sub(/>:$/, "", name)
   # A function that does not end with a jump goes on in the next one.
-  if (current != "" && last !~ /^(b|bl|bx|b\..*|pop|ldm.*|ldr.*|udf|nop|bkpt|tb[bh]|\..*)$/) add_call(current, name)
+  if (current != "" && last !~ /^(b|bl|bx|b\..*|pop|ldm.*|ldr.*|udf|nop|bkpt|tb[bh]|\..*)$/) {
+    add_call(current, name)
+  }
   current = name
   functions[++function_count] = name
   start[function_count] = number_of(substr($0, 1, index($0, " ") - 1))
@@ -106,7 +108,8 @@ current != "" && NF >= 2 {
     ++branches
     branch_from[branches] = current
     branch_to[branches] = number_of(target)
-  } else if (mnemonic ~ /^blx/ || (mnemonic ~ /^bx/ && operands != "lr") || (mnemonic ~ /^mov/ && operands ~ /^pc,/) ||
+  } else if (mnemonic ~ /^blx/ || (mnemonic ~ /^bx/ && operands != "lr") ||
+             (mnemonic ~ /^mov/ && operands ~ /^pc,/) ||
              (mnemonic ~ /^ldr/ && operands ~ /^pc,/ && operands !~ /\[sp\]/)) {
     indirect[current] = mnemonic " " operands
   } else if (mnemonic == "push") {
@@ -120,7 +123,8 @@ current != "" && NF >= 2 {
     frame[current] += constant_after_hash(operands)
   } else if (mnemonic ~ /^sub/ && operands ~ /^sp,.*#[0-9]+$/) {
     frame[current] += constant_after_hash(operands)
-  } else if ((mnemonic ~ /^(sub|mov|bic|and)/ && operands ~ /^sp,/) || mnemonic ~ /^msr/ && operands ~ /^[MP]SP/) {
+  } else if ((mnemonic ~ /^(sub|mov|bic|and)/ && operands ~ /^sp,/) ||
+             (mnemonic ~ /^msr/ && operands ~ /^[MP]SP/)) {
     unbounded[current] = mnemonic " " operands
   }
 }

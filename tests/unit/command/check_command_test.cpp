@@ -3,9 +3,9 @@
 #include <regex>
 
 #include "command_runner.hpp"
-#include "unit/host/input_error_expectation.hpp"
 #include "text/json.hpp"
 #include "text/json_node.hpp"
+#include "unit/host/input_error_expectation.hpp"
 
 namespace nearfield::host {
 namespace {
@@ -35,14 +35,15 @@ class CheckCommand : public testing::Test {
     folder_.write("problems.json", problems);
   }
   Outcome check(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {"check",  "--robot",    "robot.urdf",   "--srdf",
+    std::vector<std::string> arguments = {"check",      "--robot",    "robot.urdf",   "--srdf",
                                           "robot.srdf", "--problems", "problems.json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return folder_.run(arguments);
   }
   std::string refused(const std::string& problem_text) const {
     folder_.write("bad.json", problem_text);
-    return refusal(folder_, {"check", "--robot", "robot.urdf", "--srdf", "robot.srdf", "--problems", "bad.json"});
+    return refusal(folder_,
+                   {"check", "--robot", "robot.urdf", "--srdf", "robot.srdf", "--problems", "bad.json"});
   }
 
   ScratchFolder folder_;
@@ -87,13 +88,16 @@ TEST_F(CheckCommand, Json) {
 }
 
 TEST_F(CheckCommand, StatusIsOneWhenAProblemIsNotClear) {
-  for (const auto& [goal, words] : {std::pair("0.375", "slide 1: goal scene -0.025"), std::pair("-0.375", "self -0.025")}) {
-    folder_.write("problems.json", with(problems, "\"goal\": {\"slide\": 0.25}", std::string("\"goal\": {\"slide\": ") + goal + "}"));
+  for (const auto& [goal, words] :
+       {std::pair("0.375", "slide 1: goal scene -0.025"), std::pair("-0.375", "self -0.025")}) {
+    folder_.write("problems.json", with(problems, "\"goal\": {\"slide\": 0.25}",
+                                        std::string("\"goal\": {\"slide\": ") + goal + "}"));
     const Outcome outcome = check();
     EXPECT_EQ(outcome.status, 1);
     EXPECT_EQ(outcome.err, "");
     EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.out.find("1 of 2 problems have a clear start and goal\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("1 of 2 problems have a clear start and goal\n"), std::string::npos)
+        << outcome.out;
     const Outcome json = check({"--json"});
     EXPECT_EQ(json.status, 1);
     EXPECT_EQ(json.err, "");
@@ -104,9 +108,12 @@ TEST_F(CheckCommand, StatusIsOneWhenAProblemIsNotClear) {
 }
 
 TEST_F(CheckCommand, LinkPairsThatAreNotChecked) {
-  folder_.write("problems.json", with(problems, "\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": -0.375}"));
+  folder_.write("problems.json",
+                with(problems, "\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": -0.375}"));
   EXPECT_EQ(check().status, 1);
-  folder_.write("robot.srdf", R"(<robot name="slide"><disable_collisions link1="base" link2="hand" reason="Adjacent"/></robot>)");
+  folder_.write(
+      "robot.srdf",
+      R"(<robot name="slide"><disable_collisions link1="base" link2="hand" reason="Adjacent"/></robot>)");
   EXPECT_EQ(check().status, 0);
   // Without a list of pairs, links that a joint joins are not checked against each other.
   EXPECT_EQ(folder_.run({"check", "--robot", "robot.urdf", "--problems", "problems.json"}).status, 0);
@@ -115,7 +122,8 @@ TEST_F(CheckCommand, LinkPairsThatAreNotChecked) {
 TEST_F(CheckCommand, NoProblemsAndNoObjects) {
   folder_.write("problems.json", "[]");
   EXPECT_EQ(check().status, 0);
-  folder_.write("problems.json", R"([{"set": "s", "index": 0, "objects": [], "start": {"slide": 0}, "goal": {"slide": 0}}])");
+  folder_.write("problems.json",
+                R"([{"set": "s", "index": 0, "objects": [], "start": {"slide": 0}, "goal": {"slide": 0}}])");
   const Outcome outcome = check({"--json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NO_THROW(parse_json(outcome.out, "output"));
@@ -130,10 +138,14 @@ TEST_F(CheckCommand, RefusesBadProblems) {
   } const cases[] = {
       {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": 0.625}", "bad.json:3:35: [0].goal.slide: 0.625"},
       {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": -0.5}", "bad.json:3:35: [0].goal.slide: -0.5"},
-      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": \"0\"}", "bad.json:3:45: [0].goal.slide: a string is not allowed"},
-      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"glide\": 0.25}", "bad.json:3:35: [0].goal.glide: the robot has no such joint"},
-      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {}", "bad.json:3:35: [0].goal: no value for the joint slide"},
-      {"\"goal\": {\"slide\": 0.25}", "\"gaol\": {\"slide\": 0.25}", "bad.json:3:27: [0].gaol: unknown key \"gaol\""},
+      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"slide\": \"0\"}",
+       "bad.json:3:45: [0].goal.slide: a string is not allowed"},
+      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {\"glide\": 0.25}",
+       "bad.json:3:35: [0].goal.glide: the robot has no such joint"},
+      {"\"goal\": {\"slide\": 0.25}", "\"goal\": {}",
+       "bad.json:3:35: [0].goal: no value for the joint slide"},
+      {"\"goal\": {\"slide\": 0.25}", "\"gaol\": {\"slide\": 0.25}",
+       "bad.json:3:27: [0].gaol: unknown key \"gaol\""},
       {"{\"slide\": 0.125}}\n]", "{\"slide\": 0.125}}", "bad.json:5:"},
       {"{\"slide\": 0.125}}\n]", "{\"slide\": 0.125}}\n]]", "bad.json:6:2: "},
   };
@@ -144,11 +156,14 @@ TEST_F(CheckCommand, RefusesBadProblems) {
 }
 
 TEST_F(CheckCommand, RefusesObstaclesOutOfRange) {
-  const std::string one = R"([{"set": "s", "index": 0, "objects": [{"type": "sphere", "position": [1, 0, 0], "radius": 0.1}],
+  const std::string one =
+      R"([{"set": "s", "index": 0, "objects": [{"type": "sphere", "position": [1, 0, 0], "radius": 0.1}],
    "start": {"slide": 0}, "goal": {"slide": 0}}])";
   for (const auto& [from, to, place] :
-       {std::tuple("[1, 0, 0]", "[5, 0, 0]", "[0].objects[0]"), std::tuple("[1, 0, 0]", "[50, 0, 0]", "[0].objects[0].position[0]: 50"),
-        std::tuple("0.1", "-0.1", "[0].objects[0].radius: -0.1"), std::tuple("\"sphere\"", "\"ball\"", "[0].objects[0].type: ")}) {
+       {std::tuple("[1, 0, 0]", "[5, 0, 0]", "[0].objects[0]"),
+        std::tuple("[1, 0, 0]", "[50, 0, 0]", "[0].objects[0].position[0]: 50"),
+        std::tuple("0.1", "-0.1", "[0].objects[0].radius: -0.1"),
+        std::tuple("\"sphere\"", "\"ball\"", "[0].objects[0].type: ")}) {
     const std::string line = refused(with(one, from, to));
     EXPECT_TRUE(std::regex_search(line, std::regex("^bad.json:1:\\d+: "))) << line;
     EXPECT_NE(line.find(place), std::string::npos) << line;
@@ -159,22 +174,27 @@ TEST_F(CheckCommand, RefusesBadRobots) {
   folder_.write("bad.urdf", with(robot, "radius=\"0.05\"", "radius=\"-0.05\""));
   expect_refusal(folder_, {"check", "--robot", "bad.urdf", "--problems", "problems.json"}, "bad.urdf:3:");
   folder_.write("bad.urdf", "<robot name=\"r\"><link name=\"a\"/></robot>");
-  expect_refusal(folder_, {"check", "--robot", "bad.urdf", "--problems", "problems.json"}, "bad.urdf: robot: no collision shapes");
+  expect_refusal(folder_, {"check", "--robot", "bad.urdf", "--problems", "problems.json"},
+                 "bad.urdf: robot: no collision shapes");
   folder_.write("bad.srdf", "<robot><disable_collisions link1=\"base\" link2=\"hnad\"/></robot>");
-  expect_refusal(folder_, {"check", "--robot", "robot.urdf", "--srdf", "bad.srdf", "--problems", "problems.json"}, "bad.srdf:1:");
+  expect_refusal(folder_,
+                 {"check", "--robot", "robot.urdf", "--srdf", "bad.srdf", "--problems", "problems.json"},
+                 "bad.srdf:1:");
 }
 
 TEST_F(CheckCommand, PandaAsTheCommandSeesIt) {
   const char* shared = std::getenv("NEARFIELD_SHARED_DATA");
   if (shared == nullptr) GTEST_SKIP() << "NEARFIELD_SHARED_DATA is not set: the panda data is not checked";
   const std::filesystem::path panda = std::filesystem::path(shared) / "panda";
-  if (!std::filesystem::is_directory(panda)) GTEST_SKIP() << panda << " is not there: the panda data is not checked";
-  const Outcome outcome = folder_.run({"check", "--robot", panda / "panda_spherized.urdf", "--srdf", panda / "panda.srdf",
-                                       "--problems", panda / "problems.json"});
+  if (!std::filesystem::is_directory(panda))
+    GTEST_SKIP() << panda << " is not there: the panda data is not checked";
+  const Outcome outcome = folder_.run({"check", "--robot", panda / "panda_spherized.urdf", "--srdf",
+                                       panda / "panda.srdf", "--problems", panda / "problems.json"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out.find("table_pick_panda 41: goal scene -0.00362"), 0U) << outcome.out;
-  EXPECT_NE(outcome.out.find("\n699 of 700 problems have a clear start and goal\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n699 of 700 problems have a clear start and goal\n"), std::string::npos)
+      << outcome.out;
 }
 
 }  // namespace

@@ -108,8 +108,8 @@ inline std::string typed(const std::vector<std::string>& arguments) {
   return text;
 }
 
-// Runs what must be refused: status 2, one line on standard error, nothing on standard output, and the folder left as
-// it was. Returns that line, without its end.
+// Runs what must be refused: status 2, one line on standard error, nothing on standard output, and the folder
+// left as it was. Returns that line, without its end.
 inline std::string refusal(const ScratchFolder& folder, const std::vector<std::string>& arguments) {
   SCOPED_TRACE(typed(arguments));
   const std::vector<std::string> before = folder.everything();

@@ -12,7 +12,8 @@ TEST(CommandOptions, HelpTellsOfEveryVerb) {
     const Outcome outcome = folder.run({help});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
-    for (const char* verb : {"  sim ", "  check ", "  bake "}) EXPECT_NE(outcome.out.find(verb), std::string::npos);
+    for (const char* verb : {"  sim ", "  check ", "  bake "})
+      EXPECT_NE(outcome.out.find(verb), std::string::npos);
   }
 }
 
@@ -75,7 +76,8 @@ TEST(CommandOptions, RefusesWrongCalls) {
 
 TEST(CommandOptions, RefusesWrongDurations) {
   const ScratchFolder folder;
-  for (const char* duration : {"0", "-1", "0.0009", "3600.1", "1e9", "1e999", "nan", "inf", "", " 1", "1s", "0x10"}) {
+  for (const char* duration :
+       {"0", "-1", "0.0009", "3600.1", "1e9", "1e999", "nan", "inf", "", " 1", "1s", "0x10"}) {
     expect_refusal(folder, {"sim", "--duration", duration}, std::string("nearfield: --duration ") + duration);
   }
 }
@@ -108,7 +110,8 @@ TEST(CommandOptions, RefusesFilesThatAreNone) {
     expect("--srdf", "folder", "folder: is a directory");
   }
   const std::string robot = NEARFIELD_SOURCE_DIR "/host_sim/robots/ur5e_like.urdf";
-  expect_refusal(folder, {"check", "--robot", "absent.urdf", "--problems", "p.json"}, "absent.urdf: cannot be opened: ");
+  expect_refusal(folder, {"check", "--robot", "absent.urdf", "--problems", "p.json"},
+                 "absent.urdf: cannot be opened: ");
   expect_refusal(folder, {"check", "--robot", robot, "--problems", "p.json"}, "p.json: cannot be opened: ");
   expect_refusal(folder, {"check", "--robot", robot, "--problems", "folder"}, "folder: is a directory");
 }
@@ -120,8 +123,10 @@ TEST(CommandOptions, RefusesOutputThatCannotBeWritten) {
   expect_refusal(folder, {"sim", "--duration", "0.01", "--output", "file"}, "file: ");
   expect_refusal(folder, {"sim", "--duration", "0.01", "--output", "file/below"}, "file/below: ");
   expect_refusal(folder, {"sim", "--duration", "0.01", "--output", ""}, "");
-  expect_refusal(folder, {"sim", "--duration", "0.01", "--output", "blocked"}, "blocked/trace.csv: is a directory");
-  expect_refusal(folder, {"bake", "--output", "absent/work_cell.inc"}, "absent/work_cell.inc: cannot be created: ");
+  expect_refusal(folder, {"sim", "--duration", "0.01", "--output", "blocked"},
+                 "blocked/trace.csv: is a directory");
+  expect_refusal(folder, {"bake", "--output", "absent/work_cell.inc"},
+                 "absent/work_cell.inc: cannot be created: ");
   expect_refusal(folder, {"bake", "--output", "blocked"}, "blocked: is a directory");
   expect_refusal(folder, {"bake", "--output", ""}, "the file name is empty");
   expect_refusal(folder, {"bake", "--output", "/dev/full"}, "/dev/full: cannot be written: ");
@@ -131,7 +136,8 @@ TEST(CommandOptions, RefusesOutputThatCannotBeWritten) {
 TEST(CommandOptions, RefusesOutputOfWhichALaterFileCannotBeWritten) {
   const ScratchFolder folder;
   folder.write("blocked/timeline.svg/x", "");
-  expect_refusal(folder, {"sim", "--duration", "0.01", "--output", "blocked"}, "blocked/timeline.svg: is a directory");
+  expect_refusal(folder, {"sim", "--duration", "0.01", "--output", "blocked"},
+                 "blocked/timeline.svg: is a directory");
 }
 
 }  // namespace

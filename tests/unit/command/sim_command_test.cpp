@@ -13,7 +13,8 @@ namespace {
 std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of('\n') + 1;
   const std::size_t before = text.rfind('\n', end - 1);
-  return text.substr(before == std::string::npos ? 0 : before + 1, end - (before == std::string::npos ? 0 : before + 1));
+  return text.substr(before == std::string::npos ? 0 : before + 1,
+                     end - (before == std::string::npos ? 0 : before + 1));
 }
 
 std::size_t line_count(const std::string& text) {
@@ -29,20 +30,24 @@ TEST(SimCommand, WholeRun) {
   char digest[40];
   std::snprintf(digest, sizeof digest, "digest %016" PRIx64, golden::kSimulationDigest);
   EXPECT_EQ(last_line(outcome.out), digest);
-  for (const char* word : {"least clearance to the cell", "least clearance to the person", "least clearance to itself",
-                           "time in zones: free ", "worst tick: "}) {
+  for (const char* word : {"least clearance to the cell", "least clearance to the person",
+                           "least clearance to itself", "time in zones: free ", "worst tick: "}) {
     EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
   }
 
   const std::string trace = folder.read("out/sim/trace.csv");
   EXPECT_EQ(line_count(trace), golden::kSimulationTicks + 1);
   EXPECT_EQ(trace.find("time_s,zone,speed_override,cell_status,cell_clearance_m,"), 0U);
-  const std::size_t columns = static_cast<std::size_t>(std::count(trace.begin(), trace.begin() + static_cast<std::ptrdiff_t>(trace.find('\n')), ','));
-  EXPECT_EQ(static_cast<std::size_t>(std::count(trace.begin(), trace.end(), ',')), columns * line_count(trace));
-  for (const char* zone : {",free,", ",slow,", ",stop,"}) EXPECT_NE(trace.find(zone), std::string::npos) << zone;
+  const std::size_t columns = static_cast<std::size_t>(
+      std::count(trace.begin(), trace.begin() + static_cast<std::ptrdiff_t>(trace.find('\n')), ','));
+  EXPECT_EQ(static_cast<std::size_t>(std::count(trace.begin(), trace.end(), ',')),
+            columns * line_count(trace));
+  for (const char* zone : {",free,", ",slow,", ",stop,"})
+    EXPECT_NE(trace.find(zone), std::string::npos) << zone;
 
   std::vector<std::string> expected = {"out", "out/sim", "out/sim/timeline.svg", "out/sim/trace.csv"};
-  for (const char letter : {'A', 'B', 'C', 'D', 'E', 'F'}) expected.push_back(std::string("out/sim/moment_") + letter + ".svg");
+  for (const char letter : {'A', 'B', 'C', 'D', 'E', 'F'})
+    expected.push_back(std::string("out/sim/moment_") + letter + ".svg");
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(folder.everything(), expected);
   for (const std::string& file : expected) {
@@ -56,7 +61,8 @@ TEST(SimCommand, WholeRun) {
 
 TEST(SimCommand, DurationAndOutput) {
   const ScratchFolder folder;
-  for (const auto& [duration, ticks] : {std::pair("0.001", 1U), std::pair("0.002", 2U), std::pair("0.25", 250U)}) {
+  for (const auto& [duration, ticks] :
+       {std::pair("0.001", 1U), std::pair("0.002", 2U), std::pair("0.25", 250U)}) {
     const std::string output = std::string("for_") + duration;
     const Outcome outcome = folder.run({"sim", "--duration", duration, "--output=" + output});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -84,8 +90,9 @@ TEST(SimCommand, RobotBesideItsSceneIsTheRobotNamed) {
   const ScratchFolder folder;
   const std::string host_sim = NEARFIELD_SOURCE_DIR "/host_sim/";
   const Outcome by_default = folder.run({"sim", "--duration", "0.05", "--output", "a"});
-  const Outcome named = folder.run({"sim", "--duration", "0.05", "--output", "b", "--scene", host_sim + "scenes/work_cell.json",
-                                    "--robot", host_sim + "robots/ur5e_like.urdf", "--srdf", host_sim + "robots/ur5e_like.srdf"});
+  const Outcome named = folder.run(
+      {"sim", "--duration", "0.05", "--output", "b", "--scene", host_sim + "scenes/work_cell.json", "--robot",
+       host_sim + "robots/ur5e_like.urdf", "--srdf", host_sim + "robots/ur5e_like.srdf"});
   EXPECT_EQ(last_line(named.out), last_line(by_default.out));
 }
 
@@ -100,7 +107,8 @@ TEST(BakeCommand, WritesASourceFile) {
   for (const char* name : {"kWorkCell", "kArmLinks", "kArmBodies", "kPersonLinks", "kPersonBodies"}) {
     EXPECT_NE(source.find(name), std::string::npos) << name;
   }
-  EXPECT_EQ(source.find(NEARFIELD_SOURCE_DIR), std::string::npos) << "the source names a place on this machine";
+  EXPECT_EQ(source.find(NEARFIELD_SOURCE_DIR), std::string::npos)
+      << "the source names a place on this machine";
   folder.run({"bake", "--output", "again.inc"});
   EXPECT_EQ(folder.read("again.inc"), source);
 }

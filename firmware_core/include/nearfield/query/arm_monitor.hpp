@@ -74,14 +74,14 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   // Worst-case instructions of a tick on Cortex-M4.
   constexpr uint32_t budget() const {
     const uint32_t bodies = arm->body_count(), person_bodies = person == nullptr ? 0 : person->body_count();
-    const uint32_t joints = arm->link_count() + (person == nullptr ? 0u : person->link_count());
-    const uint32_t evaluations = bodies + static_cast<uint32_t>(effort.refinements);
-    return 1500 + joints * cost_per_joint + (bodies + person_bodies) * cost_per_placed_body +
-           bodies * kCapsuleCheckCost + evaluations * (cell->budget().value + kStretchCost) + cell->budget().gradient +
-           (bodies * person_bodies + self_pair_count) * kCapsulePairCost +
-           (soft == nullptr ? 0 : soft->budget().gradient + joints * cost_per_pose_check);
+    uint32_t near_cell = 0;
+    for (uint32_t i = 0; i < bodies; ++i) near_cell += checked_against_cell[i] != 0 ? 1 : 0;
+    return cost_of_the_rest + arm->poses_budget() + (person == nullptr ? 0 : person->poses_budget()) +
+           (bodies + person_bodies) * cost_per_placed_body +
+           sweep_budget(*cell, near_cell, static_cast<uint32_t>(effort.refinements)) +
+           (bodies * person_bodies + self_pair_count) * kCapsulePairCost + (soft == nullptr ? 0 : soft->budget().gradient);
   }
-  static constexpr uint32_t cost_per_joint = 900, cost_per_placed_body = 120, cost_per_pose_check = 260;
+  static constexpr uint32_t cost_per_placed_body = 116, cost_of_the_rest = 1500;
 
  private:
   // The nearest pair so far; its clearance is made of it only at the end.
@@ -142,7 +142,7 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   constexpr void repel(const Vector3<S>& tool, const Pose<S>* person_poses, ArmTick<S>& out) const {
     if (soft == nullptr || !soft->valid() || soft->kind() != Kind::intensity || !coordinates_in_domain(tool)) return;
     const uint32_t poses = person == nullptr ? 0u : person->link_count();
-    if (soft->slot_count() > poses || !detail::valid_poses(person_poses, soft->slot_count())) return;
+    if (soft->slot_count() > poses) return;  // those there are come from link_poses(), and are valid
     const Sample<S> sample = soft->template evaluate<Sample<S>>(tool, person_poses);
     out.intensity = sample.value;
     out.repulsion = -polar<S>(sample.gradient).direction;
