@@ -48,17 +48,25 @@ int dispatch(const std::vector<std::string>& arguments) {
   throw UsageError(unknown_name("verb", arguments[0], names));
 }
 
+// Names that the user gave may hold line ends; an InputError's text never does.
+void print_line(const InputError& error) { std::fprintf(stderr, "%s\n", error.what()); }
+
 }  // namespace
 
 int run_command(const std::vector<std::string>& arguments) {
   try {
-    return dispatch(arguments);
+    const int status = dispatch(arguments);
+    // A full disk or a closed pipe must not look like success.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw InputError("standard output", {}, "", "cannot be written", "");
+    }
+    return status;
   } catch (const InputError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    print_line(error);
   } catch (const UsageError& error) {
-    std::fprintf(stderr, "nearfield: %s; `nearfield help` lists what there is\n", error.what());
+    print_line(InputError("nearfield", {}, "", error.what(), "`nearfield help` lists what there is"));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "nearfield: %s\n", error.what());
+    print_line(InputError("nearfield", {}, "", error.what(), ""));
   }
   return 2;
 }

@@ -1,6 +1,7 @@
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "command/command.hpp"
 #include "command/progress.hpp"
@@ -35,6 +36,22 @@ void make_folder(const std::string& folder) {
   if (error) throw InputError(folder, {}, "", "cannot make this folder: " + error.message(), "");
 }
 
+using NamedText = std::pair<std::string, std::string>;
+
+// All files or none: when one cannot be written, those before it are removed again.
+void write_all(const std::string& folder, const std::vector<NamedText>& files) {
+  std::vector<std::string> written;
+  try {
+    for (const auto& [name, text] : files) {
+      write_file(folder + "/" + name, text);
+      written.push_back(folder + "/" + name);
+    }
+  } catch (const InputError&) {
+    for (const std::string& file : written) std::remove(file.c_str());
+    throw;
+  }
+}
+
 }  // namespace
 
 int run_sim(const std::vector<std::string>& arguments) {
@@ -46,8 +63,8 @@ int run_sim(const std::vector<std::string>& arguments) {
     return 0;
   }
   const std::string output = options.value("output").value_or("out/sim");
-  WorkCellFiles files;
-  CompiledWorkCell cell = compile_work_cell(options, files);
+  WorkCellFiles inputs;
+  CompiledWorkCell cell = compile_work_cell(options, inputs);
   if (const auto duration = options.value("duration")) {
     cell.settings.ticks = static_cast<std::uint32_t>(duration_of(*duration) * 1000.0 + 0.5);
   }
@@ -59,18 +76,21 @@ int run_sim(const std::vector<std::string>& arguments) {
     result = simulate(cell, [&progress](double done) { progress.report(done); });
   }
   const std::vector<TellingMoment> moments = telling_moments(cell, result);
+  std::vector<NamedText> files;
   {
     Progress progress("drawing   ");
-    write_file(output + "/trace.csv", trace_csv(cell, result));
-    if (result.ticks.size() > 1) write_file(output + "/timeline.svg", timeline_of(cell, result, moments));
+    files.emplace_back("trace.csv", trace_csv(cell, result));
+    if (result.ticks.size() > 1) files.emplace_back("timeline.svg", timeline_of(cell, result, moments));
     for (std::size_t i = 0; i < moments.size(); ++i) {
       progress.report(static_cast<double>(i) / static_cast<double>(moments.size()));
-      write_file(output + "/moment_" + moments[i].letter + ".svg", picture_of(cell, result, moments[i]));
+      files.emplace_back("moment_" + moments[i].letter + ".svg", picture_of(cell, result, moments[i]));
     }
   }
-  std::printf("%s, %.3f s at 1 kHz, Fixed<27>\n", files.scene.c_str(), 0.001 * static_cast<double>(result.ticks.size()));
+  write_all(output, files);
+  std::printf("%s, %.3f s at 1 kHz, Fixed<27>\n", inputs.scene.c_str(), 0.001 * static_cast<double>(result.ticks.size()));
   std::printf("%s", summary_of(cell, result).c_str());
-  std::printf("written to %s: trace.csv, timeline.svg, %zu pictures\n", output.c_str(), moments.size());
+  std::printf("written to %s: trace.csv%s, %zu pictures\n", output.c_str(),
+              result.ticks.size() > 1 ? ", timeline.svg" : "", moments.size());
   for (const TellingMoment& moment : moments) {
     std::printf("  moment_%s.svg  %7.3f s  %s\n", moment.letter.c_str(), result.ticks[moment.tick].time, moment.title.c_str());
   }

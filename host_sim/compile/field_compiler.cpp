@@ -1,5 +1,6 @@
 #include "compile/field_compiler.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -37,36 +38,52 @@ template <class S> class FieldCompiler {
   CompiledField<S> compile(const FieldNode& root) {
     add_tables(root);
     add(root);
-    return finish(root.position, root.path, &root);
+    return finish(root);
   }
 
   CompiledField<S> compile(const std::vector<CollisionShape>& solids, const std::string& path) {
+    std::vector<std::uint32_t> starts;
     for (std::size_t i = 0; i < solids.size(); ++i) {
+      starts.push_back(builder_->size());
       place(solids[i].origin, [&](const Vector3d& at) { add_solid(solids[i], at); });
       if (i != 0) builder_->operation(SharpUnion<S>{});
     }
-    return finish(solids.front().position, path, nullptr);
+    CompiledField<S> compiled;
+    compiled.inspection = builder_->finish();
+    if (compiled.inspection.status != LoadStatus::ok) {
+      const auto after = std::upper_bound(starts.begin() + 1, starts.end(), compiled.inspection.at_word);
+      const auto culprit = static_cast<std::size_t>(after - starts.begin()) - 1;
+      fail(solids[culprit].position, path + "[" + std::to_string(culprit) + "]", compiled.inspection.status);
+    }
+    return with_image(std::move(compiled));
   }
 
  private:
   using Builder = ImageBuilder<S, largest_image>;
 
-  CompiledField<S> finish(SourcePosition position, const std::string& path, const FieldNode* root) {
+  CompiledField<S> finish(const FieldNode& root) {
     CompiledField<S> compiled;
     compiled.inspection = builder_->finish();
     if (compiled.inspection.status != LoadStatus::ok) {
       // The node whose operation was being added when the image grew past the failing word.
-      const FieldNode* culprit = root;
+      const FieldNode* culprit = &root;
       for (const auto& [word, node] : added_) {
         if (word <= compiled.inspection.at_word) culprit = node;
       }
-      throw InputError(file_, culprit != nullptr ? culprit->position : position,
-                       culprit != nullptr ? culprit->path : path, reason(compiled.inspection.status),
-                       "everything must lie within " +
-                           std::to_string(ScalarTraits<S>::to_double(ScalarTraits<S>::domain())) +
-                           " m of its frame's origin, " + std::to_string(kStackDepth) + " operands and " +
-                           std::to_string(kFrameDepth) + " frames deep");
+      fail(culprit->position, culprit->path, compiled.inspection.status);
     }
+    return with_image(std::move(compiled));
+  }
+
+  [[noreturn]] void fail(SourcePosition position, const std::string& path, LoadStatus status) const {
+    throw InputError(file_, position, path, reason(status),
+                     "everything must lie within " +
+                         std::to_string(ScalarTraits<S>::to_double(ScalarTraits<S>::domain())) +
+                         " m of its frame's origin, " + std::to_string(kStackDepth) + " operands and " +
+                         std::to_string(kFrameDepth) + " frames deep");
+  }
+
+  CompiledField<S> with_image(CompiledField<S> compiled) const {
     compiled.image.assign(builder_->words(), builder_->words() + builder_->size());
     return compiled;
   }

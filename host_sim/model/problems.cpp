@@ -46,8 +46,11 @@ Problem read_problem(const JsonNode& node) {
   for (const JsonNode& object : node.required("objects").elements(0, most_objects)) {
     problem.objects.push_back(read_object(object));
   }
-  problem.start = read_joint_values(node.required("start"));
-  problem.goal = read_joint_values(node.required("goal"));
+  const JsonNode start = node.required("start"), goal = node.required("goal");
+  problem.start = read_joint_values(start);
+  problem.start_position = start.position();
+  problem.goal = read_joint_values(goal);
+  problem.goal_position = goal.position();
   return problem;
 }
 

@@ -18,6 +18,8 @@ struct Problem {
   std::vector<CollisionShape> objects;
   std::map<std::string, double> start;
   std::map<std::string, double> goal;
+  SourcePosition start_position;
+  SourcePosition goal_position;
 };
 
 // Reads a JSON array of problems (FORMATS.md). InputError on anything else.

@@ -13,6 +13,7 @@
 #include "model/srdf.hpp"
 #include "model/urdf.hpp"
 #include "text/input_error.hpp"
+#include "text/names.hpp"
 
 namespace nearfield::host {
 namespace {
@@ -37,17 +38,27 @@ class Checker {
       obstacles = compile_obstacles<Q>(problem.objects, problem_file_, path + ".objects");
       scene = load<Q>(obstacles.image.data(), obstacles.image.size() * sizeof(std::uint32_t));
     }
-    checked.start = check(problem.start, scene, path + ".start");
-    checked.goal = check(problem.goal, scene, path + ".goal");
+    checked.start = check(problem.start, scene, {problem.start_position, path + ".start"});
+    checked.goal = check(problem.goal, scene, {problem.goal_position, path + ".goal"});
     return checked;
   }
 
  private:
-  CheckedConfiguration check(const std::map<std::string, double>& joints, const Program<Q>& scene, const std::string& path) {
-    const std::vector<Q> values = values_of(joints, path);
+  // Of the joint values of a configuration.
+  struct Place {
+    SourcePosition position;
+    std::string path;
+  };
+  InputError error_at(const Place& place, const std::string& member, const std::string& what,
+                      const std::string& allowed) const {
+    return InputError(problem_file_, place.position, place.path + member, what, allowed);
+  }
+
+  CheckedConfiguration check(const std::map<std::string, double>& joints, const Program<Q>& scene, const Place& place) {
+    const std::vector<Q> values = values_of(joints, place);
     const KinematicsStatus status = chain_->link_poses(values.data(), poses_.data());
-    if (status == KinematicsStatus::joint_out_of_limits) throw outside_limits(values, path);
-    if (status != KinematicsStatus::ok) throw InputError(problem_file_, {}, path, "a link leaves the number range", "4 m");
+    if (status == KinematicsStatus::joint_out_of_limits) throw outside_limits(values, place);
+    if (status != KinematicsStatus::ok) throw error_at(place, "", "a link leaves the number range", "at most 4 m in each coordinate");
     CheckedConfiguration result;
     result.scene = {ClearanceStatus::clear, ScalarTraits<Q>::greatest(), {}};
     result.itself = result.scene;
@@ -64,33 +75,33 @@ class Checker {
     return result;
   }
 
-  std::vector<Q> values_of(const std::map<std::string, double>& joints, const std::string& path) const {
+  std::vector<Q> values_of(const std::map<std::string, double>& joints, const Place& place) const {
     for (const auto& [name, value] : joints) {
       if (std::find(known_joints_.begin(), known_joints_.end(), name) == known_joints_.end()) {
-        throw InputError(problem_file_, {}, path + "." + name, "the robot has no such joint", "");
+        throw error_at(place, "." + name, "the robot has no such joint", "allowed are " + joined({known_joints_.begin(), known_joints_.end()}));
       }
     }
     std::vector<Q> values;
     for (const std::string& name : robot_.variable_names) {
       const auto found = joints.find(name);
       if (found == joints.end()) {
-        throw InputError(problem_file_, {}, path, "no value for the joint " + name, "every moving joint needs one");
+        throw error_at(place, "", "no value for the joint " + name, "every moving joint needs one");
       }
       values.push_back(quantise<Q>(found->second));
     }
     values.resize(kHostLinks);
     return values;
   }
-  InputError outside_limits(const std::vector<Q>& values, const std::string& path) const {
+  InputError outside_limits(const std::vector<Q>& values, const Place& place) const {
     for (const nearfield::Joint<Q>& joint : robot_.joints) {
       const Q value = narrow<Q>(product(joint.multiplier, values[joint.variable])) + joint.offset;
       if (joint.kind == nearfield::JointKind::fixed || (value >= joint.lower && value <= joint.upper)) continue;
-      return InputError(problem_file_, {}, path + "." + robot_.variable_names[joint.variable],
-                        std::to_string(value.to_double()) + " is outside the joint's limits",
+      return error_at(place, "." + robot_.variable_names[joint.variable],
+                      std::to_string(value.to_double()) + " is outside the joint's limits",
                         "allowed are " + std::to_string(joint.lower.to_double()) + " to " +
                             std::to_string(joint.upper.to_double()));
     }
-    return InputError(problem_file_, {}, path, "a joint is outside its limits", "");
+    return error_at(place, "", "a joint is outside its limits", "");
   }
 
   CompiledRobot<Q> robot_;

@@ -135,8 +135,8 @@ std::string timeline_of(const CompiledWorkCell& cell, const SimulationResult& re
     timeline.speed_override.push_back(d.speed_override.to_double());
   }
   if (!cell.person.bodies.empty()) {
-    timeline.thresholds = {{"free from", cell.settings.person_free.to_double()},
-                           {"stop below", cell.settings.person_stop.to_double()}};
+    timeline.thresholds = {{"free", cell.settings.person_free.to_double()},
+                           {"stop", cell.settings.person_stop.to_double()}};
   }
   for (const TellingMoment& moment : moments) timeline.markers.push_back({result.ticks[moment.tick].time, moment.letter});
   timeline.greatest_clearance = 2.0;

@@ -27,7 +27,7 @@ struct UniformTable {
   }
   template <class S>
   bool loadable() const {
-    return detail::table_in_range<S>(words.data());
+    return coefficients_in_range(view<S>());
   }
   template <class S>
   TableView<S> view() const {

@@ -97,7 +97,7 @@ constexpr uint32_t integer_sqrt(uint64_t x) { return root_parts(x).root; }
 // Square root of a float >= 0, correctly rounded (the same bits as IEEE squareRoot); NaN for NaN, 0 below 0.
 constexpr float square_root(float x) {
   const uint32_t bits = bits_as<uint32_t>(x);
-  if (bits == 0 || bits >= 0x7f800000u) return x < 0.0f ? 0.0f : x;
+  if (bits == 0 || bits >= 0x7f800000u) return x <= 0.0f ? 0.0f : x;
   int exponent = static_cast<int>(bits >> 23);
   uint64_t mantissa = bits & 0x007fffffu;
   if (exponent == 0) exponent = 1;
