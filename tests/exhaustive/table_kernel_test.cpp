@@ -99,8 +99,12 @@ TEST(TableKernel, StatedRoundingOfFixed16) {
 
 // The steepest straight line that a table can hold.
 TEST(TableKernel, GreatestSlope) {
-  const int32_t rising[4] = {0, greatest_of<int32_t>, 0, 0}, falling[4] = {0, -greatest_of<int32_t>, 0, 0};
+  // The steepest that loads; one more leaves no room for rounding the slope to a coarse scalar.
+  constexpr int32_t steepest = greatest_of<int32_t> - (1 << 23);
+  const int32_t rising[4] = {0, steepest, 0, 0}, falling[4] = {0, -steepest, 0, 0};
+  const int32_t too_steep[4] = {0, steepest + 1, 0, 0};
   const UniformTable up(3, 0, rising), down(3, 0, falling);
+  EXPECT_FALSE(UniformTable(3, 0, too_steep).loadable<Fixed<27>>());
   ASSERT_TRUE(up.loadable<Fixed<27>>() && down.loadable<Fixed<27>>());
   EXPECT_TRUE(within_stated_rounding<Fixed<27>>(up, rising, 0x12345678u));
   EXPECT_TRUE(within_stated_rounding<Fixed<27>>(down, falling, 0x12345678u));

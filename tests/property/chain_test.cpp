@@ -146,11 +146,13 @@ class ChainTrial {
   void add_body(std::size_t link) {
     TrueBody truth;
     truth.link = link;
-    truth.a = random_.vector(-size(), size());
-    truth.b = random_.chance(0.1L) ? truth.a : truth.a + random_.vector(-size(), size());
+    // All of a body lies within half the domain of its link.
+    const Real reach = std::min(size(), real(ScalarTraits<S>::domain()) / 8);
+    truth.a = random_.vector(-reach, reach);
+    truth.b = random_.chance(0.1L) ? truth.a : truth.a + random_.vector(-reach, reach);
     Body<S> body;
     body.link = static_cast<uint16_t>(link);
-    body.capsule = Capsule<S>(rounded<S>(truth.a), rounded<S>(truth.b), rounded<S>(size() * 0.1L));
+    body.capsule = Capsule<S>(rounded<S>(truth.a), rounded<S>(truth.b), rounded<S>(reach * 0.1L));
     chain_.add_body(body);
     bodies_of_chain_.push_back(truth);
   }
@@ -346,7 +348,7 @@ TEST(Chain, LinksOutOfRangeAreNoticedByEveryScalar) {
 // A joint that turns without end: far beyond the angles at which a sine is precise, or refused there.
 template <class S>
 void expect_far_angles_within_error(Random& random) {
-  const Real lever = real(ScalarTraits<S>::domain()) * 0.95L,
+  const Real lever = real(ScalarTraits<S>::domain()) * 0.45L,
              most = real(ScalarTraits<S>::greatest()) * 0.999L;
   Failures body_error;
   for (int i = 0; i < 50000; ++i) {
@@ -360,7 +362,9 @@ void expect_far_angles_within_error(Random& random) {
     const Real angle = random.uniform(-most, most);
     const S value = rounded<S>(angle);
     std::array<Pose<S>, 9> poses{};
-    if (chain.link_poses(&value, poses.data()) != KinematicsStatus::ok) continue;
+    const KinematicsStatus status = chain.link_poses(&value, poses.data());
+    ASSERT_EQ(status, std::fabs(real(value)) <= 16 ? KinematicsStatus::ok : KinematicsStatus::joint_out_of_limits);
+    if (status != KinematicsStatus::ok) continue;
     const Vec3 truth{real(start.x) * std::cos(angle), real(start.x) * std::sin(angle), 0};
     const Real off = reference::distance(real(chain.placed_body(0, poses.data()).from), truth);
     const Real certified = real(chain.body_error(0));
@@ -383,24 +387,25 @@ template <class S>
 void expect_separation_of_far_bodies(Random& random) {
   const Real reach = real(ScalarTraits<S>::domain());
   Failures too_large;
+  int judged = 0;
   for (int i = 0; i < 50000; ++i) {
     TestedChain<S> chain;
     for (uint16_t link = 1; link <= 2; ++link) {
-      // Each link at one side of the domain, its body pointing farther out from it by up to a cube's half
-      // diagonal.
+      // Each link at one side of the domain, its body pointing farther out from it by up to half the domain.
       const Vec3 out = (link == 1 ? 1 : -1) * reference::normalized_or_zero({1, random.uniform(0, 0.3L), 0});
-      const Vec3 start = random.vector(0.5L, 0.99L) * reach;
+      const Vec3 start = random.vector(0.05L, 0.14L) * reach;
       const Vec3 axis = reference::cross(start, out);
       const Real angle = std::atan2(reference::norm(axis), reference::dot(start, out));
       Joint<S> joint;
       joint.origin = rounded_pose<S>({reference::rotation_from_axis_angle(axis, angle), 0.98L * reach * out});
       chain.add_joint(joint);
-      const Vec3 end = start - reference::normalized_or_zero(start) * random.uniform(0.1L, 1.99L) * reach;
+      const Vec3 end = start - reference::normalized_or_zero(start) * random.uniform(-0.24L, 0.24L) * reach;
       chain.add_body({link, Capsule<S>(rounded<S>(start), rounded<S>(end), rounded<S>(reach * 0.01L))});
     }
     std::array<Pose<S>, 9> poses{};
     const S none{};
     if (!chain.valid() || chain.link_poses(&none, poses.data()) != KinematicsStatus::ok) continue;
+    ++judged;
     const Capsule<S> a = chain.placed_body(0, poses.data()), b = chain.placed_body(1, poses.data());
     const Real truth = reference::capsule_capsule_clearance(stored_segment(a), real(a.radius),
                                                             stored_segment(b), real(b.radius));
@@ -408,7 +413,18 @@ void expect_separation_of_far_bodies(Random& random) {
     too_large.check(claimed <= truth,
                     [&](std::ostream& out) { out << claimed << " claimed, " << truth << " true"; });
   }
+  EXPECT_GT(judged, 40000);
   too_large.expect_none(ScalarName<S>::text() + ": separation of bodies of a valid chain");
+}
+
+// What reaches farther than half the domain from its link could make differences wrap.
+TEST(Chain, BodiesTooFarFromTheirLinkAreRefused) {
+  using S = Fixed<27>;
+  for (const double length : {1.8, 2.1}) {
+    TestedChain<S> chain;
+    chain.add_body({0, Capsule<S>(Vector3<S>{}, Vector3<S>{length, 0.0, 0.0}, S(0.1))});
+    EXPECT_EQ(chain.valid(), length < 1.9) << length;
+  }
 }
 
 TEST(Chain, SeparationOfBodiesBeyondTheDomainIsNotTooLarge) {
