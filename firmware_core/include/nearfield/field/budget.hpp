@@ -18,19 +18,19 @@ struct Budget {
 // entering and leaving together). Running that program checks that no measurement exceeds what is stated here.
 constexpr Budget cortex_m4_cost(Operation operation) {
   switch (operation) {
-    case Operation::sphere: return {96, 148};
+    case Operation::sphere: return {96, 156};
     case Operation::capsule: return {173, 225};
     case Operation::box: return {141, 245};
-    case Operation::cylinder: return {202, 293};
+    case Operation::cylinder: return {204, 329};
     case Operation::soft_point: return {94, 262};
     case Operation::soft_segment: return {183, 327};
-    case Operation::sharp_union: return {58, 61};
-    case Operation::sharp_intersection: return {58, 61};
-    case Operation::sharp_subtraction: return {59, 55};
-    case Operation::soft_sum: return {64, 90};
-    case Operation::exterior_union: return {117, 160};
-    case Operation::exterior_intersection: return {117, 160};
-    case Operation::exterior_subtraction: return {118, 189};
+    case Operation::sharp_union: return {60, 63};
+    case Operation::sharp_intersection: return {60, 63};
+    case Operation::sharp_subtraction: return {61, 59};
+    case Operation::soft_sum: return {64, 92};
+    case Operation::exterior_union: return {121, 167};
+    case Operation::exterior_intersection: return {121, 167};
+    case Operation::exterior_subtraction: return {122, 192};
     case Operation::enter_pose: return {114, 183};
     case Operation::enter_slot: return {85, 114};
     case Operation::leave: return {20, 30};
