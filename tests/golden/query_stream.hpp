@@ -11,22 +11,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <work_cell/digest.hpp>
+
 namespace nearfield::golden {
 
-// FNV-1a over the bytes of 32-bit words, least significant first.
-class Digest {
- public:
-  constexpr void add(uint32_t word) {
-    for (int shift = 0; shift < 32; shift += 8) {
-      value_ ^= (word >> shift) & 0xffu;
-      value_ *= 0x100000001b3u;
-    }
-  }
-  constexpr uint64_t value() const { return value_; }
-
- private:
-  uint64_t value_ = 0xcbf29ce484222325u;
-};
+using work_cell::Digest;
 
 // Pseudo-random 64-bit integers: a congruence modulo 2^64 whose state is mixed before it is used.
 class Stream {

@@ -16,8 +16,10 @@ enum class ClearanceStatus : uint8_t {
 
 template <class S> struct Clearance {
   ClearanceStatus status = ClearanceStatus::invalid;
-  S distance = ScalarTraits<S>::least();  // m; a lower bound of the signed distance to the blended surface and to the
-                                          // sharp solids; positive exactly if clear; the least number if invalid
+  // m. Clear: positive, a lower bound of the distance to the blended surface and to the sharp solids. Otherwise not
+  // positive: the field's value less its error, which is how deep the point is in a lone shape; where solids overlap it
+  // may be deeper. Invalid: the least number.
+  S distance = ScalarTraits<S>::least();
   Vector3<S> direction{};  // away from what is nearest: the field's gradient, a unit vector for a lone shape, shorter
                            // within a blend; zero where there is no direction
 };
