@@ -2,6 +2,7 @@
 // nearfield/field/budget.hpp against it. A program of one shape costs the query's own share plus that shape; each
 // further pair of shape and blend their sum. Points are drawn around each shape so that all its branches are taken.
 #include <nearfield/field/builder.hpp>
+#include <nearfield/nearfield.h>
 #include <nearfield/nearfield.hpp>
 
 #include <mps2/instruction_counter.hpp>
@@ -150,6 +151,37 @@ void frame_costs() {
          cortex_m4_cost(Operation::enter_slot) + cortex_m4_cost(Operation::leave));
 }
 
+// A query of a field in a slot, and one through the C interface, against the budgets that they state themselves.
+__attribute__((noinline)) Clearance<Q> clearance_in_slot(const Program<Q>& program, const Vector3<Q>& p) {
+  return clearance(program, p, &kSlot, 1);
+}
+void whole_query_costs() {
+  Builder builder;
+  builder.enter_slot(0).operation(kBall).leave();
+  builder.finish();
+  const Program<Q> program = load<Q>(builder.words(), builder.size() * 4);
+  nearfield_field from_c = {};
+  nearfield_load(&from_c, builder.words(), builder.size() * 4);
+  nearfield_pose pose_from_c = {{1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30}, {0, 0, 0}};
+  uint32_t in_slot = 0, in_c = 0;
+  Random random;
+  for (int i = 0; i < kPoints; ++i) {
+    const Vector3<Q> p = random.point();
+    mps2::start_instruction_count();
+    const Clearance<Q> c = clearance_in_slot(program, p);
+    const uint32_t count = mps2::stop_instruction_count();
+    const int32_t point[3] = {p.x.raw(), p.y.raw(), p.z.raw()};
+    mps2::start_instruction_count();
+    const nearfield_clearance d = nearfield_clearance_at(&from_c, point, &pose_from_c, 1);
+    const uint32_t count_c = mps2::stop_instruction_count();
+    sink = c.distance.raw() + d.distance;
+    if (count > in_slot) in_slot = count;
+    if (count_c > in_c) in_c = count_c;
+  }
+  report("query of a ball in a slot", {0, in_slot}, {0, program.budget().gradient});
+  report("the same from C", {0, in_c}, {0, nearfield_budget(&from_c)});
+}
+
 void query_cost() {
   Builder builder;
   builder.operation(kBall);
@@ -287,6 +319,7 @@ int main() {
   soft_costs();
   frame_costs();
   query_cost();
+  whole_query_costs();
   query_costs();
   return failures == 0 ? 0 : 1;
 }

@@ -39,6 +39,9 @@ constexpr Budget cortex_m4_cost(Operation operation) {
 }
 
 // What a query costs beyond the operations: checks, certificate, result.
-constexpr Budget kCortexM4QueryCost = {80, 215};
+constexpr Budget kCortexM4QueryCost = {80, 232};
+
+// What a query with gradient adds for checking each pose that it is handed.
+constexpr uint32_t kCortexM4PoseCheckCost = 370;
 
 }  // namespace nearfield

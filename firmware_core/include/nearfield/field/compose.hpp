@@ -203,8 +203,9 @@ template <class Node> class Field {
   using Scalar = typename Node::Scalar;
 
   constexpr explicit Field(const Node& node)
-      : node_(node), certificate_(certify(node)), budget_(kCortexM4QueryCost + detail::NodeTraits<Node>::budget(node)),
-        slot_count_(detail::NodeTraits<Node>::slot_count(node)) {}
+      : node_(node), certificate_(certify(node)), slot_count_(detail::NodeTraits<Node>::slot_count(node)),
+        budget_(kCortexM4QueryCost + detail::NodeTraits<Node>::budget(node) +
+                Budget{0, slot_count_ * kCortexM4PoseCheckCost}) {}
 
   constexpr bool valid() const { return certificate_.valid; }
   static constexpr Kind kind() { return Node::kind; }
@@ -223,8 +224,8 @@ template <class Node> class Field {
 
   Node node_;
   Certificate<Scalar> certificate_;
-  Budget budget_;
   uint32_t slot_count_;
+  Budget budget_;
 };
 
 template <class Node> constexpr Field<Node> field(const Node& node) { return Field<Node>(node); }

@@ -59,7 +59,7 @@ template <class S> constexpr bool valid_pose(const Pose<S>& pose) {
     const Vector3<U>& row = pose.rotation.row[i];
     const Vector3<U>& next = pose.rotation.row[(i + 1) % 3];
     const Vector3<U>& last = pose.rotation.row[(i + 2) % 3];
-    if (!within(length_of<U>(sum_of_squares(row.x, row.y, row.z)), one - slack, limit)) return false;
+    if (!within(narrow<U>(dot(row, row)), one - slack - slack, limit + slack)) return false;
     if (!within(narrow<U>(dot(row, next)), -slack, slack)) return false;
     // Right-handed: the first component of row x next is that of the last row.
     const U cross_x = narrow<U>(product(row.y, next.z) - product(row.z, next.y));

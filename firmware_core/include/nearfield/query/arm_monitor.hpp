@@ -79,7 +79,7 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
     return cost_of_the_rest + arm->poses_budget() + (person == nullptr ? 0 : person->poses_budget()) +
            (bodies + person_bodies) * cost_per_placed_body +
            sweep_budget(*cell, near_cell, static_cast<uint32_t>(effort.refinements)) +
-           (bodies * person_bodies + self_pair_count) * kCapsulePairCost + (soft == nullptr ? 0 : soft->budget().gradient);
+           (bodies * person_bodies + self_pair_count) * kCapsulePairCost + (soft == nullptr ? 0 : soft->budget().gradient - soft->slot_count() * kCortexM4PoseCheckCost);
   }
   static constexpr uint32_t cost_per_placed_body = 116, cost_of_the_rest = 1500;
 

@@ -77,8 +77,8 @@ template <class S> constexpr bool valid_poses(const Pose<S>* slots, uint32_t cou
 }  // namespace detail
 
 // Clearance of a point (metres, field frame, |coordinates| within ScalarTraits<S>::domain()) to a distance field: a
-// Field from compose.hpp or a Program. `slots`: the poses of the field's slots; each is checked (about 250
-// instructions). Cost: at most field.budget().gradient.
+// Field from compose.hpp or a Program. `slots`: the poses of the field's slots; each is checked.
+// Cost: at most field.budget().gradient.
 template <class AnyField, class S = typename AnyField::Scalar>
 constexpr Clearance<S> clearance(const AnyField& field, const Vector3<typename AnyField::Scalar>& p,
                                  const Pose<typename AnyField::Scalar>* slots = nullptr, uint32_t slot_count = 0) {

@@ -50,6 +50,7 @@ template <class S> struct TableSample {
 template <bool with_slope, class S>
 constexpr TableSample<S> sample_table(const TableView<S>& table, typename TableArgument<S>::type argument) {
   const int k = table.log2_segments;
+  static_assert(fraction_bits_of<S> <= 27, "a slope of +-16 must fit the scalar");
   if constexpr (ScalarTraits<S>::is_fixed) {
     const uint32_t in_range = argument < 0x80000000u ? argument : 0x7fffffffu;
     const uint32_t* stored = table.coefficients + 4 * (in_range >> (31 - k));
