@@ -90,10 +90,9 @@ class Painter {
   }
 
  private:
-  // The pair that decides: the person if nearer to stopping the arm than the cell is, otherwise the cell.
   std::optional<draw::NearestPair> nearest() const {
     const ArmTick<Q>& d = tick_.decided;
-    const bool person_first = d.person.body != kNoBody && (d.cell.body == kNoBody || moment_.title.find("cell") == std::string::npos);
+    const bool person_first = d.person.body != kNoBody && moment_.shown == Nearness::person;
     if (person_first) {
       const RealSegment arm = segment_of(arm_.bodies[d.person.body]), limb = segment_of(person_.bodies[d.person.other]);
       double t = 0.0;
@@ -122,13 +121,30 @@ class Painter {
     return c.status == ClearanceStatus::invalid ? std::nan("") : c.distance.to_double();
   }
 
-  // The window holds arm, tool path and as much of the person as lies within 1.6 m of the arm's base.
+  // What the tool reaches in the run and half a metre around it, at least 1.4 m each way; centred between the arm's
+  // base and the middle of the tool's path, in whole decimetres.
+  draw::WorldWindow window(bool from_above) const {
+    const auto up = [from_above](const Vector3d& v) { return from_above ? v.y : v.z; };
+    double left = tick_.tool.x, right = left, bottom = up(tick_.tool), top = bottom;
+    for (const TickRecord& tick : result_.ticks) {
+      left = std::min(left, tick.tool.x);
+      right = std::max(right, tick.tool.x);
+      bottom = std::min(bottom, up(tick.tool));
+      top = std::max(top, up(tick.tool));
+    }
+    const auto decimetres = [](double metres) { return std::round(10.0 * metres) / 10.0; };
+    const double x = decimetres(0.25 * (left + right)), y = decimetres(0.25 * (bottom + top));
+    const double reach = std::max(std::max(std::abs(left - x), std::abs(right - x)), std::max(std::abs(bottom - y), std::abs(top - y)));
+    const double half = std::max(1.4, decimetres(reach + 0.5));
+    return {x - half, x + half, y - half, y + half};
+  }
+
   draw::SceneView view(const std::string& title, const Vector3d& cut, bool from_above) const {
     draw::SceneView view;
     char at[48];
     std::snprintf(at, sizeof at, ", cut at %s = %.2f m", from_above ? "z" : "y", from_above ? cut.z : cut.y);
     view.title = title + at;
-    view.window = from_above ? draw::WorldWindow{-1.2, 1.6, -1.4, 1.4} : draw::WorldWindow{-1.2, 1.6, -0.9, 1.5};
+    view.window = window(from_above);
     const double spacing = 0.02;
     const auto samples = [spacing](double low, double high) {
       return static_cast<std::size_t>(std::lround((high - low) / spacing)) + 1;

@@ -62,12 +62,16 @@ std::vector<TellingMoment> telling_moments(const CompiledWorkCell& cell, const S
   const std::size_t stop = first(slow, [](const ArmTick<Q>& d) { return d.zone == Zone::stop; });
   const std::size_t again = first(stop, [](const ArmTick<Q>& d) { return d.zone == Zone::free; });
   std::vector<TellingMoment> found = {
-      {0, "", "The arm starts its cycle"},
-      {slow, "", "The arm slows down for the person"},
-      {stop, "", "The arm stops"},
-      {least_tick(result, &ArmTick<Q>::person), "", "Least clearance to the person"},
-      {least_tick(result, &ArmTick<Q>::cell), "", "Least clearance to the cell"},
-      {again, "", "The arm runs freely again"}};
+      {0, "", "The arm starts its cycle", Nearness::cell},
+      {slow, "", "The arm slows down for the person", Nearness::person},
+      {stop, "", "The arm stops", Nearness::person},
+      {least_tick(result, &ArmTick<Q>::person), "", "Least clearance to the person", Nearness::person},
+      {least_tick(result, &ArmTick<Q>::cell), "", "Least clearance to the cell", Nearness::cell},
+      {again, "", "The arm runs freely again", Nearness::person}};
+  if (cell.person.bodies.empty()) {
+    for (TellingMoment& moment : found) moment.shown = Nearness::cell;
+    found[3].tick = count;
+  }
   std::vector<TellingMoment> moments;
   std::stable_sort(found.begin(), found.end(), [](const TellingMoment& a, const TellingMoment& b) { return a.tick < b.tick; });
   for (TellingMoment& moment : found) {

@@ -8,11 +8,13 @@
 
 namespace nearfield::host {
 
-// A tick worth a picture, with the letter that marks it on the timeline.
+// A tick worth a picture, with the letter that marks it on the timeline and whose nearest pair the picture shows.
+enum class Nearness { person, cell };
 struct TellingMoment {
   std::size_t tick = 0;
   std::string letter;
   std::string title;
+  Nearness shown = Nearness::person;
 };
 
 // At most six, in order of time: the start, where the arm first slows and stops for the person, the least clearance
