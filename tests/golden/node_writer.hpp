@@ -8,11 +8,12 @@
 namespace nearfield::golden {
 
 // Add the tables that the field samples first, then write() the node once, then builder().finish().
+// What is written often is not inlined: that would take most of the time of compiling the tests.
 template <class S, uint32_t Capacity>
 class NodeWriter {
  public:
   template <int Log2Segments>
-  constexpr void table(const Table<S, Log2Segments>& table) {
+  [[gnu::noinline]] constexpr void table(const Table<S, Log2Segments>& table) {
     if (table_count_ == kTableLimit) return;
     coefficients_[table_count_] = table.coefficients;
     references_[table_count_] = builder_.table(table);
@@ -20,11 +21,11 @@ class NodeWriter {
   }
 
   template <class Shape>
-  constexpr void write(const Shape& shape) {
+  [[gnu::noinline]] constexpr void write(const Shape& shape) {
     builder_.operation(shape);
   }
   template <class Shape>
-  constexpr void write(const WithTable<Shape>& node) {
+  [[gnu::noinline]] constexpr void write(const WithTable<Shape>& node) {
     builder_.operation(node.shape, reference_of(node.table));
   }
   template <class Blend, class A, class B>

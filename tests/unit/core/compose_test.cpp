@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -33,33 +34,40 @@ S metres(reference::Real real) {
 }
 
 // Random parts of fields, small enough that every composition below stays in range in every number type.
+// Not inlined: copies in every test would take most of the time of compiling them.
 template <class S>
 class Parts {
  public:
   explicit Parts(uint64_t seed) : random_(seed) {}
 
-  S length(reference::Real low, reference::Real high) { return metres<S>(random_.uniform(low, high)); }
-  Vector3<S> point(reference::Real reach) {
+  [[gnu::noinline]] S length(reference::Real low, reference::Real high) {
+    return metres<S>(random_.uniform(low, high));
+  }
+  [[gnu::noinline]] Vector3<S> point(reference::Real reach) {
     return {length(-reach, reach), length(-reach, reach), length(-reach, reach)};
   }
-  Sphere<S> sphere() { return {point(0.4L), length(0.01L, 0.5L)}; }
-  Capsule<S> capsule() {
+  [[gnu::noinline]] Sphere<S> sphere() { return {point(0.4L), length(0.01L, 0.5L)}; }
+  [[gnu::noinline]] Capsule<S> capsule() {
     const Vector3<S> a = point(0.4L);
     const Vector3<S> b = random_.chance(0.1L) ? a : point(0.4L);
     return {a, b, random_.chance(0.1L) ? S{} : length(0.01L, 0.3L)};
   }
-  Box<S> box() { return {point(0.4L), {length(0.01L, 0.4L), length(0.01L, 0.4L), length(0.01L, 0.4L)}}; }
-  Cylinder<S> cylinder() { return {point(0.4L), length(0.01L, 0.4L), length(0.01L, 0.4L)}; }
-  auto soft_point() {
+  [[gnu::noinline]] Box<S> box() {
+    return {point(0.4L), {length(0.01L, 0.4L), length(0.01L, 0.4L), length(0.01L, 0.4L)}};
+  }
+  [[gnu::noinline]] Cylinder<S> cylinder() {
+    return {point(0.4L), length(0.01L, 0.4L), length(0.01L, 0.4L)};
+  }
+  [[gnu::noinline]] auto soft_point() {
     return with_potential(SoftPoint<S>{point(0.4L), Influence<S>(length(0.2L, 1), length(-1, 1))},
                           Tables<S>::potential);
   }
-  auto soft_segment() {
+  [[gnu::noinline]] auto soft_segment() {
     const Capsule<S> segment(point(0.4L), point(0.4L), S{});
     return with_potential(SoftSegment<S>{segment, Influence<S>(length(0.2L, 1), length(-1, 1))},
                           Tables<S>::potential);
   }
-  Pose<S> pose(reference::Real reach) {
+  [[gnu::noinline]] Pose<S> pose(reference::Real reach) {
     Pose<S> pose;
     const reference::Mat3 rotation = random_.rotation();
     for (int i = 0; i < 3; ++i) {
@@ -95,11 +103,46 @@ uint32_t word(S x) {
   return ScalarTraits<S>::word(x);
 }
 template <class S>
-void expect_same_vector(const Vector3<S>& a, const Vector3<S>& b) {
+[[gnu::noinline]] void expect_same_vector(const Vector3<S>& a, const Vector3<S>& b) {
   EXPECT_EQ(word(a.x), word(b.x));
   EXPECT_EQ(word(a.y), word(b.y));
   EXPECT_EQ(word(a.z), word(b.z));
 }
+
+// What every form of a field says about itself.
+template <class S>
+struct Facts {
+  bool valid;
+  Kind kind;
+  uint32_t slot_count;
+  Certificate<S> certificate;
+  Budget budget;
+};
+template <class AnyField, class S = typename AnyField::Scalar>
+Facts<S> facts_of(const AnyField& field) {
+  return {field.valid(), field.kind(), field.slot_count(), field.certificate(), field.budget()};
+}
+
+// What every form of a field answers at a point.
+template <class S>
+struct Answers {
+  Sample<S> sample;
+  Value<S> value;
+  Clearance<S> clearance;
+};
+constexpr uint32_t kSlots = 3;
+template <class AnyField, class S = typename AnyField::Scalar>
+Answers<S> answers_of(const AnyField& field, const Vector3<S>& p, const Pose<S>* slots) {
+  return {field.template evaluate<Sample<S>>(p, slots), field.template evaluate<Value<S>>(p, slots),
+          clearance(field, p, slots, kSlots)};
+}
+
+// The composition's type is forgotten here, so that only its evaluation is compiled for each type of node.
+template <class S>
+using AnswersAt = std::function<Answers<S>(const Vector3<S>& p, const Pose<S>* slots)>;
+
+template <class S>
+using Writer = golden::NodeWriter<S, 900>;
 
 template <class S>
 class Comparison {
@@ -108,59 +151,74 @@ class Comparison {
 
   // The node as a field and as a program, at `count` points.
   template <class Node>
-  void expect_same(const char* name, const Node& node, int count) {
+  [[gnu::noinline]] void expect_same(const char* name, const Node& node, int count) {
     SCOPED_TRACE(name);
     const auto composed = field(node);
-    golden::NodeWriter<S, 900> writer;
-    writer.table(Tables<S>::kernel);
-    writer.table(Tables<S>::wide_kernel);
-    writer.table(Tables<S>::potential);
+    Writer<S> writer;
+    add_tables(writer);
     writer.write(node);
-    ASSERT_EQ(writer.builder().finish().status, LoadStatus::ok);
-    const std::vector<uint32_t> image(writer.builder().words(),
-                                      writer.builder().words() + writer.builder().size());
-    const Program<S> program = load<S>(image.data(), image.size() * 4);
-    ASSERT_EQ(program.status(), LoadStatus::ok);
-
-    EXPECT_TRUE(composed.valid());
-    EXPECT_EQ(composed.kind(), program.kind());
-    EXPECT_EQ(composed.slot_count(), program.slot_count());
-    EXPECT_EQ(composed.certificate().lipschitz, program.certificate().lipschitz);
-    EXPECT_EQ(word(composed.certificate().erosion), word(program.certificate().erosion));
-    EXPECT_EQ(word(composed.certificate().inflation), word(program.certificate().inflation));
-    EXPECT_EQ(word(composed.certificate().error), word(program.certificate().error));
-    EXPECT_GE(program.budget().value, composed.budget().value);
-    EXPECT_GE(program.budget().gradient, composed.budget().gradient);
-    EXPECT_GE(composed.budget().gradient, composed.budget().value);
-
-    for (int i = 0; i < count; ++i) {
-      const Pose<S> slots[3] = {parts_.pose(0.5L), parts_.pose(0.5L), parts_.pose(0.5L)};
-      const Vector3<S> p = parts_.point(i % 4 == 0 ? 3.9L : 1.0L);
-      const Sample<S> a = composed.template evaluate<Sample<S>>(p, slots);
-      const Sample<S> b = program.template evaluate<Sample<S>>(p, slots);
-      EXPECT_EQ(word(a.value), word(b.value));
-      expect_same_vector(a.gradient, b.gradient);
-      EXPECT_EQ(word(composed.template evaluate<Value<S>>(p, slots).value), word(a.value));
-      EXPECT_EQ(word(program.template evaluate<Value<S>>(p, slots).value), word(a.value));
-      expect_same_answer(clearance(composed, p, slots, 3), clearance(program, p, slots, 3));
-      if (composed.kind() == Kind::intensity) {
-        EXPECT_EQ(clearance(composed, p, slots, 3).status, ClearanceStatus::invalid);
-        EXPECT_EQ(clearance(program, p, slots, 3).status, ClearanceStatus::invalid);
-      } else {
-        EXPECT_NE(clearance(program, p, slots, 3).status, ClearanceStatus::invalid);
-      }
-    }
+    expect_same_as_image(
+        facts_of(composed),
+        [&composed](const Vector3<S>& p, const Pose<S>* slots) { return answers_of(composed, p, slots); },
+        writer, count);
   }
 
  private:
-  void expect_same_answer(const Clearance<S>& a, const Clearance<S>& b) {
-    EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(word(a.distance), word(b.distance));
-    expect_same_vector(a.direction, b.direction);
-    EXPECT_EQ(a.status == ClearanceStatus::clear, a.distance > S{});
-  }
+  static void add_tables(Writer<S>& writer);
+  void expect_same_as_image(const Facts<S>& composed, const AnswersAt<S>& composed_at, Writer<S>& writer,
+                            int count);
+  static void expect_same_answers(const Answers<S>& a, const Answers<S>& b, Kind kind);
+
   Parts<S>& parts_;
 };
+
+template <class S>
+void Comparison<S>::add_tables(Writer<S>& writer) {
+  writer.table(Tables<S>::kernel);
+  writer.table(Tables<S>::wide_kernel);
+  writer.table(Tables<S>::potential);
+}
+
+template <class S>
+void Comparison<S>::expect_same_as_image(const Facts<S>& composed, const AnswersAt<S>& composed_at,
+                                         Writer<S>& writer, int count) {
+  ASSERT_EQ(writer.builder().finish().status, LoadStatus::ok);
+  const std::vector<uint32_t> image(writer.builder().words(),
+                                    writer.builder().words() + writer.builder().size());
+  const Program<S> program = load<S>(image.data(), image.size() * 4);
+  ASSERT_EQ(program.status(), LoadStatus::ok);
+
+  EXPECT_TRUE(composed.valid);
+  EXPECT_EQ(composed.kind, program.kind());
+  EXPECT_EQ(composed.slot_count, program.slot_count());
+  EXPECT_EQ(composed.certificate.lipschitz, program.certificate().lipschitz);
+  EXPECT_EQ(word(composed.certificate.erosion), word(program.certificate().erosion));
+  EXPECT_EQ(word(composed.certificate.inflation), word(program.certificate().inflation));
+  EXPECT_EQ(word(composed.certificate.error), word(program.certificate().error));
+  EXPECT_GE(program.budget().value, composed.budget.value);
+  EXPECT_GE(program.budget().gradient, composed.budget.gradient);
+  EXPECT_GE(composed.budget.gradient, composed.budget.value);
+
+  for (int i = 0; i < count; ++i) {
+    const Pose<S> slots[kSlots] = {parts_.pose(0.5L), parts_.pose(0.5L), parts_.pose(0.5L)};
+    const Vector3<S> p = parts_.point(i % 4 == 0 ? 3.9L : 1.0L);
+    expect_same_answers(composed_at(p, slots), answers_of(program, p, slots), composed.kind);
+  }
+}
+
+template <class S>
+void Comparison<S>::expect_same_answers(const Answers<S>& a, const Answers<S>& b, Kind kind) {
+  EXPECT_EQ(word(a.sample.value), word(b.sample.value));
+  expect_same_vector(a.sample.gradient, b.sample.gradient);
+  EXPECT_EQ(word(a.value.value), word(a.sample.value));
+  EXPECT_EQ(word(b.value.value), word(a.sample.value));
+  EXPECT_EQ(a.clearance.status, b.clearance.status);
+  EXPECT_EQ(word(a.clearance.distance), word(b.clearance.distance));
+  expect_same_vector(a.clearance.direction, b.clearance.direction);
+  EXPECT_EQ(a.clearance.status == ClearanceStatus::clear, a.clearance.distance > S{});
+  EXPECT_EQ(a.clearance.status == ClearanceStatus::invalid, kind == Kind::intensity);
+  EXPECT_EQ(b.clearance.status == ClearanceStatus::invalid, kind == Kind::intensity);
+}
 
 template <class S>
 class Composition : public testing::Test {};
@@ -260,7 +318,7 @@ TYPED_TEST(Composition, SoftSums) {
 
 // What `invalid` looks like: nothing in it permits anything.
 template <class S>
-void expect_refused(const Clearance<S>& answer, const char* what) {
+[[gnu::noinline]] void expect_refused(const Clearance<S>& answer, const char* what) {
   EXPECT_EQ(answer.status, ClearanceStatus::invalid) << what;
   EXPECT_EQ(word(answer.distance), word(ScalarTraits<S>::least())) << what;
   EXPECT_TRUE(is_zero(answer.direction)) << what;
@@ -349,15 +407,24 @@ TYPED_TEST(Composition, UnusedPosesDoNotMatter) {
   EXPECT_EQ(clearance(moving, p, poses, 2).status, ClearanceStatus::clear);
 }
 
-template <class Node>
-void expect_invalid(const char* what, const Node& node) {
-  using S = typename Node::Scalar;
-  const auto composed = field(node);
-  ASSERT_FALSE(composed.valid()) << what;
+template <class S>
+void expect_refusals(const char* what, bool valid,
+                     const std::function<Clearance<S>(const Vector3<S>&, const Pose<S>*, uint32_t)>& ask) {
+  ASSERT_FALSE(valid) << what;
   const Pose<S> poses[1] = {};
   for (const Vector3<S>& p : {Vector3<S>{}, Vector3<S>{metres<S>(2), metres<S>(1), metres<S>(-1)}}) {
-    expect_refused(clearance(composed, p, poses, 1), what);
+    expect_refused(ask(p, poses, 1), what);
   }
+}
+
+template <class Node>
+[[gnu::noinline]] void expect_invalid(const char* what, const Node& node) {
+  using S = typename Node::Scalar;
+  const auto composed = field(node);
+  expect_refusals<S>(what, composed.valid(),
+                     [&composed](const Vector3<S>& p, const Pose<S>* poses, uint32_t count) {
+                       return clearance(composed, p, poses, count);
+                     });
 }
 
 TYPED_TEST(Composition, ParametersOutOfRange) {
