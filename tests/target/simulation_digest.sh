@@ -18,11 +18,16 @@ target_digest=$(grep '^digest [0-9a-f]\{16\}$' target.txt) ||
   fail "the target prints no digest (exit status $status)"
 [ "$target_digest" = "$host_digest" ] || fail "the target's $target_digest is not the host's $host_digest"
 
-figure() { sed -n "s/^.*$1 \([0-9]*\).*\$/\1/p" target.txt; }
-worst=$(figure worst)
-budget=$(figure budget)
+figure() { sed -n "s/^$1 \([0-9]*\).*\$/\1/p" target.txt; }
+worst=$(figure 'instructions a tick: .*worst')
+budget=$(figure 'instructions a tick: .*budget')
+query_worst=$(figure 'instructions a query of the cell: .*worst')
+query_budget=$(figure 'instructions a query of the cell: .*budget')
 stack=$(figure 'greatest stack')
 [ -n "$worst" ] && [ -n "$budget" ] || fail "the target prints no instructions a tick"
+[ -n "$query_worst" ] && [ -n "$query_budget" ] || fail "the target prints no instructions a query"
+[ "$query_worst" -le "$query_budget" ] ||
+  fail "the worst query took $query_worst instructions, above the budget of $query_budget"
 [ -n "$stack" ] || fail "the target prints no greatest stack"
 [ "$worst" -le "$budget" ] || fail "the worst tick took $worst instructions, above the budget of $budget"
 [ "$worst" -le "$most_instructions" ] ||
