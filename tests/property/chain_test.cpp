@@ -329,7 +329,9 @@ void expect_out_of_range_is_noticed(Random& random) {
     const KinematicsStatus status = chain.link_poses(&value, poses.data());
     const Vec3 truth = reference::to_world(base, reference::to_world(origin, real(value) * axis));
     const Real farthest = std::max({std::fabs(truth.x), std::fabs(truth.y), std::fabs(truth.z)});
-    noticed.check(farthest <= reach * 1.0001L || status == KinematicsStatus::out_of_range,
+    const bool at_the_end = value >= ScalarTraits<S>::greatest();  // may stand for a value beyond the range
+    noticed.check(at_the_end ? status == KinematicsStatus::joint_out_of_limits
+                             : farthest <= reach * 1.0001L || status == KinematicsStatus::out_of_range,
                   [&](std::ostream& out) {
                     out << "status " << static_cast<int>(status) << ", link at " << farthest << ", value "
                         << real(value);
@@ -415,6 +417,24 @@ void expect_separation_of_far_bodies(Random& random) {
   }
   EXPECT_GT(judged, 40000);
   too_large.expect_none(ScalarName<S>::text() + ": separation of bodies of a valid chain");
+}
+
+// A joint value that saturates on its way must not move the arm somewhere else and read as fine.
+TEST(Chain, SaturatedJointValuesAreRefused) {
+  using S = Fixed<27>;
+  for (const double value : {1.9, 2.5, 20.0}) {
+    TestedChain<S> chain;
+    Joint<S> joint;
+    joint.kind = JointKind::revolute;
+    joint.axis = {{}, {}, ScalarTraits<S>::unit_one()};
+    joint.multiplier = S(value == 20.0 ? 1.0 : 8.0);
+    chain.add_joint(joint);
+    const S raw(value);
+    std::array<Pose<S>, 9> poses{};
+    EXPECT_EQ(chain.link_poses(&raw, poses.data()),
+              value == 1.9 ? KinematicsStatus::ok : KinematicsStatus::joint_out_of_limits)
+        << value;
+  }
 }
 
 // What reaches farther than half the domain from its link could make differences wrap.

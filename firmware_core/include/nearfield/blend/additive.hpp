@@ -95,6 +95,7 @@ template <class S, SetOperation operation> struct Exterior {
     both.valid = both.valid && scale.consistent() && scale.limit <= T::domain() && facts.error >= 0 && facts.error < (1 << 24);
     const Rate spread = spread_of(facts);
     both.lipschitz = multiply_rates_up(both.lipschitz, spread);
+    both.valid = both.valid && both.lipschitz < kSteepest;
     const S added = T::multiply_up(scale.limit, rate_up(facts.greatest_value));
     const S removed = T::multiply_up(scale.limit, rate_up(-int64_t{facts.least_value}));
     both.error = T::multiply_up(both.error, spread) + T::multiply_up(scale.limit, rate_up(facts.error)) +
@@ -110,6 +111,9 @@ template <class S, SetOperation operation> struct Exterior {
   }
 
  private:
+  // Beyond this rate gradients could leave the number range.
+  static constexpr Rate kSteepest = Rate::from_raw(8 << Rate::fraction_bits);
+
   // (1 + slope) deciding - slope other; gradients are at most a few units long.
   static constexpr S mixed(S deciding, S other, S slope) {
     return add_in_range(deciding, narrow_in_range<S>(product(slope, subtract_in_range(deciding, other))));

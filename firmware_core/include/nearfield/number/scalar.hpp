@@ -20,6 +20,8 @@ template <class To> constexpr To narrow(float wide, ArithmeticStatus& status) {
   return wide;
 }
 
+constexpr float add(float a, float b, ArithmeticStatus& status) { return narrow<float>(a + b, status); }
+
 template <class S> constexpr S least_of_two(S a, S b) { return b < a ? b : a; }
 template <class S> constexpr S greatest_of_two(S a, S b) { return a < b ? b : a; }
 template <class S> constexpr S clamp(S value, S low, S high) {

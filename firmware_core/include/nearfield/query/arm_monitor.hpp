@@ -48,6 +48,7 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   // Cost: budget().
   constexpr ArmTick<S> tick(const S* arm_joints, const S* person_joints) const {
     ArmTick<S> out;
+    if (!consistent()) return out;
     Pose<S> arm_poses[ArmChain::max_links] = {};
     Pose<S> person_poses[PersonChain::max_links] = {};
     out.kinematics = arm->link_poses(arm_joints, arm_poses);
@@ -84,6 +85,16 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   static constexpr uint32_t cost_per_placed_body = 116, cost_of_the_rest = 1500;
 
  private:
+  // Everything that a tick refers to is there, and every number names something.
+  constexpr bool consistent() const {
+    if (arm == nullptr || cell == nullptr || checked_against_cell == nullptr || arm->body_count() == 0) return false;
+    if (tool_link >= arm->link_count() || (self_pair_count != 0 && self_pairs == nullptr)) return false;
+    for (uint16_t k = 0; k < self_pair_count; ++k) {
+      if (self_pairs[k].first >= arm->body_count() || self_pairs[k].second >= arm->body_count()) return false;
+    }
+    return true;
+  }
+
   // The nearest pair so far; its clearance is made of it only at the end.
   struct NearestPair {
     SeparatedBy<S> apart;

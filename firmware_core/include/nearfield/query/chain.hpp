@@ -149,8 +149,14 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
       const Pose<S>& parent = poses[joint.parent];
       Pose<S> moved = joint.origin;
       if (joint.kind != JointKind::fixed) {
-        const S value = narrow<S>(product(joint.multiplier, values[joint.variable])) + joint.offset;
-        if (!within(value, joint.lower, joint.upper)) return KinematicsStatus::joint_out_of_limits;
+        // A value at the end of the number range may stand for one beyond it.
+        ArithmeticStatus status;
+        const S driven = narrow<S>(product(joint.multiplier, values[joint.variable]), status);
+        const S value = add(driven, joint.offset, status);
+        if (status.saturated || !within(value, joint.lower, joint.upper) || value >= ScalarTraits<S>::greatest() ||
+            value <= ScalarTraits<S>::least()) {
+          return KinematicsStatus::joint_out_of_limits;
+        }
         if (joint.kind == JointKind::revolute) {
           moved.rotation = compose(joint.origin.rotation, rotation_about(joint.axis, value));
         } else {

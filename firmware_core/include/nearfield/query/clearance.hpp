@@ -68,6 +68,7 @@ template <class S> constexpr bool in_domain(const Capsule<S>& c) {
 }
 
 template <class S> constexpr bool valid_poses(const Pose<S>* slots, uint32_t count) {
+  if (slots == nullptr) return count == 0;
   for (uint32_t i = 0; i < count; ++i) {
     if (!valid_pose(slots[i])) return false;
   }
