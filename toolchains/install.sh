@@ -7,10 +7,11 @@ set -eu
 
 host_packages="g++ cmake ninja-build"
 cortex_m4_packages="$host_packages gcc-arm-none-eabi binutils-arm-none-eabi qemu-system-arm"
+riscv_packages="gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-misc"
 case "${1:-}" in
   host) packages=$host_packages ;;
   cortex-m4) packages=$cortex_m4_packages ;;
-  test) packages="$cortex_m4_packages gcc clang libgtest-dev binutils" ;;
+  test) packages="$cortex_m4_packages $riscv_packages gcc clang libgtest-dev binutils" ;;
   *)
     sed -n '2,5s/^# //p' "$0" >&2
     exit 2
@@ -30,7 +31,9 @@ is_present() {
     g++ | gcc) command -v "$1" >/dev/null 2>&1 && return 0 ;;
     clang) command -v clang++ >/dev/null 2>&1 && return 0 ;;
     gcc-arm-none-eabi) command -v arm-none-eabi-g++ >/dev/null 2>&1 && return 0 ;;
+    gcc-riscv64-unknown-elf) command -v riscv64-unknown-elf-g++ >/dev/null 2>&1 && return 0 ;;
     qemu-system-arm) command -v qemu-system-arm >/dev/null 2>&1 && return 0 ;;
+    qemu-system-misc) command -v qemu-system-riscv32 >/dev/null 2>&1 && return 0 ;;
   esac
   dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q '^install ok installed$'
 }

@@ -8,6 +8,7 @@
 
 #include <nearfield/curve/kernel.hpp>
 #include <nearfield/curve/potential.hpp>
+#include <nearfield/curve/tabulated_form.hpp>
 #include <nearfield/field/builder.hpp>
 
 #include "compile/quantise.hpp"
@@ -95,7 +96,7 @@ template <class S> class FieldCompiler {
       if (kernels_.count(key) == 0) kernels_[key] = bake_kernel(key.first, key.second);
     }
     if (node.choices.count("potential") != 0 && potential_ == 0) {
-      potential_ = builder_->table(bake<S, 3>(potential::wyvill));
+      potential_ = builder_->table(bake<S, 2>(over_square(potential::wyvill)));
     }
     for (const FieldNode& operand : node.operands) add_tables(operand);
   }
@@ -106,7 +107,7 @@ template <class S> class FieldCompiler {
     S range{};  // per blend radius
   };
   template <class Step> Kernel bake_steps(Step step, double ratio) {
-    const Table<S, 6> table = bake<S, 6>(exterior(step, ratio));
+    const Table<S, 64> table = bake<S, 64>(exterior(step, ratio));
     return {builder_->table(table), table.range};
   }
   Kernel bake_kernel(const std::string& step, double ratio) {

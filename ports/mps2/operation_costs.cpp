@@ -4,9 +4,10 @@
 #include <nearfield/field/builder.hpp>
 #include <nearfield/nearfield.h>
 #include <nearfield/nearfield.hpp>
+#include <nearfield/curve/tabulated_form.hpp>
 
-#include <mps2/instruction_counter.hpp>
-#include <mps2/semihosting.hpp>
+#include <board/instruction_counter.hpp>
+#include <board/semihosting.hpp>
 
 namespace {
 
@@ -53,20 +54,20 @@ volatile int32_t sink;
 Budget worst_of(Builder& builder) {
   const Inspection<Q> inspection = builder.finish();
   if (inspection.status != LoadStatus::ok) {
-    mps2::write("a program does not load\n");
-    mps2::exit_with_status(1);
+    board::write("a program does not load\n");
+    board::exit_with_status(1);
   }
   const Program<Q> program = load<Q>(builder.words(), builder.size() * 4);
   Budget worst;
   Random random;
   for (int i = 0; i < kPoints; ++i) {
     const Vector3<Q> p = random.point();
-    mps2::start_instruction_count();
+    board::start_instruction_count();
     const Value<Q> value = value_at(program, p, &kSlot);
-    const uint32_t value_count = mps2::stop_instruction_count();
-    mps2::start_instruction_count();
+    const uint32_t value_count = board::stop_instruction_count();
+    board::start_instruction_count();
     const Sample<Q> sample = sample_at(program, p, &kSlot);
-    const uint32_t gradient_count = mps2::stop_instruction_count();
+    const uint32_t gradient_count = board::stop_instruction_count();
     sink = value.value.raw() + sample.value.raw();
     if (value_count > worst.value) worst.value = value_count;
     if (gradient_count > worst.gradient) worst.gradient = gradient_count;
@@ -77,17 +78,17 @@ Budget worst_of(Builder& builder) {
 int failures = 0;
 
 void report(const char* name, Budget measured, Budget stated) {
-  mps2::write(name);
-  mps2::write(": ");
-  mps2::write_decimal(measured.value);
-  mps2::write(" of ");
-  mps2::write_decimal(stated.value);
-  mps2::write(", with gradient ");
-  mps2::write_decimal(measured.gradient);
-  mps2::write(" of ");
-  mps2::write_decimal(stated.gradient);
+  board::write(name);
+  board::write(": ");
+  board::write_decimal(measured.value);
+  board::write(" of ");
+  board::write_decimal(stated.value);
+  board::write(", with gradient ");
+  board::write_decimal(measured.gradient);
+  board::write(" of ");
+  board::write_decimal(stated.gradient);
   const bool broken = measured.value > stated.value || measured.gradient > stated.gradient;
-  mps2::write(broken ? "  EXCEEDED\n" : "\n");
+  board::write(broken ? "  EXCEEDED\n" : "\n");
   failures += broken ? 1 : 0;
 }
 
@@ -102,7 +103,7 @@ template <class Shape, class... Table> Budget shape_cost(const char* name, const
 }
 
 constexpr auto kKernel = bake<Q>(exterior(step::polynomial<3>, 0.25));
-constexpr auto kPotential = bake<Q, 3>(potential::wyvill);
+constexpr auto kPotential = bake<Q, 2>(over_square(potential::wyvill));
 const Sphere<Q> kBall = {{0.1, 0.2, 0.0}, 0.3};
 
 // Two balls close enough for their blend, less two balls alone.
@@ -167,13 +168,13 @@ void whole_query_costs() {
   Random random;
   for (int i = 0; i < kPoints; ++i) {
     const Vector3<Q> p = random.point();
-    mps2::start_instruction_count();
+    board::start_instruction_count();
     const Clearance<Q> c = clearance_in_slot(program, p);
-    const uint32_t count = mps2::stop_instruction_count();
+    const uint32_t count = board::stop_instruction_count();
     const int32_t point[3] = {p.x.raw(), p.y.raw(), p.z.raw()};
-    mps2::start_instruction_count();
+    board::start_instruction_count();
     const nearfield_clearance d = nearfield_clearance_at(&from_c, point, &pose_from_c, 1);
-    const uint32_t count_c = mps2::stop_instruction_count();
+    const uint32_t count_c = board::stop_instruction_count();
     sink = c.distance.raw() + d.distance;
     if (count > in_slot) in_slot = count;
     if (count_c > in_c) in_c = count_c;
@@ -191,9 +192,9 @@ void query_cost() {
   Random random;
   for (int i = 0; i < kPoints; ++i) {
     const Vector3<Q> p = random.point();
-    mps2::start_instruction_count();
+    board::start_instruction_count();
     const Clearance<Q> c = clearance_at(program, p);
-    const uint32_t count = mps2::stop_instruction_count();
+    const uint32_t count = board::stop_instruction_count();
     sink = c.distance.raw();
     if (count > worst) worst = count;
   }
@@ -249,9 +250,9 @@ void query_costs() {
     return worst_over(500, [&] {
       Q values[8];
       for (Q& value : values) value = Q::from_raw(static_cast<int32_t>(random.next()) / reach);
-      mps2::start_instruction_count();
+      board::start_instruction_count();
       const KinematicsStatus status = poses_of(robot, values, poses);
-      const uint32_t count = mps2::stop_instruction_count();
+      const uint32_t count = board::stop_instruction_count();
       sink = static_cast<int32_t>(status);
       return count;
     });
@@ -259,17 +260,17 @@ void query_costs() {
   one("eight revolute joints", worst_poses(chain, 2), chain.poses_budget());
   one("eight prismatic joints", worst_poses(sliding, 512), sliding.poses_budget());
   one("placed body", worst_over(10, [&] {
-        mps2::start_instruction_count();
+        board::start_instruction_count();
         const Capsule<Q> body = body_of(chain, poses);
-        const uint32_t count = mps2::stop_instruction_count();
+        const uint32_t count = board::stop_instruction_count();
         sink = body.length.raw();
         return count;
       }), Monitor::cost_per_placed_body);
   one("capsule pair", 25 + worst_over(20000, [&] {
         const Capsule<Q> a = random_capsule(random), b = random_capsule(random);
-        mps2::start_instruction_count();
+        board::start_instruction_count();
         const SeparatedBy<Q> apart = separation_of(a, b);
-        const uint32_t count = mps2::stop_instruction_count();
+        const uint32_t count = board::stop_instruction_count();
         sink = apart.distance.raw();
         return count;
       }), kCapsulePairCost);
@@ -284,14 +285,14 @@ void query_costs() {
   constexpr uint16_t counts[] = {1, 9, 16};
   for (const int refinements : efforts) {
     for (const uint16_t count : counts) {
-      mps2::write_decimal(count);
-      mps2::write(" capsules, ");
-      mps2::write_decimal(static_cast<uint64_t>(refinements));
+      board::write_decimal(count);
+      board::write(" capsules, ");
+      board::write_decimal(static_cast<uint64_t>(refinements));
       one(" refinements", worst_over(300, [&] {
             for (MovedCapsule<Q>& c : capsules) c.capsule = random_capsule(random);
-            mps2::start_instruction_count();
+            board::start_instruction_count();
             const NearestCapsule<Q> nearest = nearest_of(program, capsules, count, stretches, refinements);
-            const uint32_t instructions = mps2::stop_instruction_count();
+            const uint32_t instructions = board::stop_instruction_count();
             sink = nearest.clearance.distance.raw();
             return instructions;
           }), sweep_budget(program, count, static_cast<uint32_t>(refinements)));
@@ -302,8 +303,8 @@ void query_costs() {
 }  // namespace
 
 int main() {
-  if (!mps2::prepare_instruction_counter()) return 1;
-  mps2::write("worst instructions of each operation on this core, of those stated in budget.hpp\n");
+  if (!board::prepare_instruction_counter()) return 1;
+  board::write("worst instructions of each operation on this core, of those stated in budget.hpp\n");
   Builder sphere, capsule, box, cylinder, sum;
   shape_cost("sphere", kBall, sphere);
   shape_cost("capsule", Capsule<Q>(Vector3<Q>{-0.3, 0.1, 0.0}, Vector3<Q>{0.4, 0.2, 0.3}, Q(0.1)), capsule);

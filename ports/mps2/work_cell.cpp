@@ -3,9 +3,9 @@
 
 #include <work_cell.inc>
 
-#include <mps2/instruction_counter.hpp>
-#include <mps2/semihosting.hpp>
-#include <mps2/stack_watermark.hpp>
+#include <board/instruction_counter.hpp>
+#include <board/semihosting.hpp>
+#include <board/stack_watermark.hpp>
 
 namespace {
 
@@ -16,9 +16,9 @@ using Player = work_cell::Player<work_cell::kArmLinks, work_cell::kArmBodies, wo
 alignas(Player) unsigned char player_memory[sizeof(Player)];
 
 void print(const char* label, uint64_t number, const char* unit) {
-  mps2::write(label);
-  mps2::write_decimal(number);
-  mps2::write(unit);
+  board::write(label);
+  board::write_decimal(number);
+  board::write(unit);
 }
 
 // Instructions of one kind of work over the whole run.
@@ -59,24 +59,24 @@ volatile int32_t sink;
 inline void* operator new(size_t, void* at) noexcept { return at; }
 
 int main() {
-  mps2::paint_unused_stack();
-  const bool counting = mps2::prepare_instruction_counter();
+  board::paint_unused_stack();
+  const bool counting = board::prepare_instruction_counter();
   Player& player = *new (player_memory) Player(work_cell::kWorkCell);
   if (player.status() != work_cell::PlayerStatus::ok) {
     print("the player refuses the work cell: status ", static_cast<uint64_t>(player.status()), "\n");
-    mps2::exit_with_status(1);
+    board::exit_with_status(1);
   }
   Cost tick_cost, query_cost;
   uint32_t in_zone[3] = {};
   for (uint32_t tick = 0; tick < player.ticks(); ++tick) {
-    mps2::start_instruction_count();
+    board::start_instruction_count();
     const ArmTick<work_cell::Q> decided = player.decide();
-    tick_cost.add(mps2::stop_instruction_count());
+    tick_cost.add(board::stop_instruction_count());
     ++in_zone[static_cast<uint32_t>(decided.zone)];
     const Vector3<work_cell::Q> p = point_of(tick);
-    mps2::start_instruction_count();
+    board::start_instruction_count();
     const Clearance<work_cell::Q> c = query(player.cell(), p);
-    query_cost.add(mps2::stop_instruction_count());
+    query_cost.add(board::stop_instruction_count());
     sink = c.distance.raw();
     player.advance(decided);
   }
@@ -90,9 +90,9 @@ int main() {
     within_budget = tick_cost.report("instructions a tick: mean ", player.ticks(), player.monitor().budget());
     within_budget &= query_cost.report("instructions a query of the cell: mean ", player.ticks(), player.cell().budget().gradient);
   }
-  print("greatest stack ", mps2::greatest_stack_bytes(), " bytes\n");
-  mps2::write("digest ");
-  mps2::write_hexadecimal(player.digest(), 16);
-  mps2::write("\n");
-  mps2::exit_with_status(within_budget ? 0 : 1);
+  print("greatest stack ", board::greatest_stack_bytes(), " bytes\n");
+  board::write("digest ");
+  board::write_hexadecimal(player.digest(), 16);
+  board::write("\n");
+  board::exit_with_status(within_budget ? 0 : 1);
 }

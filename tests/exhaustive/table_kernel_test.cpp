@@ -15,19 +15,19 @@ using namespace nearfield;
 using Real = long double;
 using reference::Random;
 
-// One table with 2^log2_segments times the same segment; loadable or not.
+// One table with 2^index_bits times the same segment; loadable or not.
 struct UniformTable {
   std::vector<uint32_t> words;
 
-  UniformTable(int log2_segments, int headroom, const int32_t (&c)[4]) {
-    words = {static_cast<uint32_t>(log2_segments), static_cast<uint32_t>(headroom), 0, 0, 0, 0, 0};
-    for (int i = 0; i < 1 << log2_segments; ++i) {
+  UniformTable(int index_bits, int headroom, const int32_t (&c)[4]) {
+    words = {static_cast<uint32_t>(index_bits), static_cast<uint32_t>(headroom), 0, 0, 0, 0, 0, 0};
+    for (int i = 0; i < 1 << index_bits; ++i) {
       for (const int32_t coefficient : c) words.push_back(static_cast<uint32_t>(coefficient));
     }
   }
   template <class S>
   bool loadable() const {
-    return coefficients_in_range(view<S>());
+    return coefficients_in_range(view<S>(), 1 << words[0]);
   }
   template <class S>
   TableView<S> view() const {
@@ -42,7 +42,7 @@ bool within_stated_rounding(const UniformTable& table, const int32_t (&c)[4], ui
   const TableView<S> view = table.view<S>();
   const TableSample<S> found = sample_table<true>(view, argument);
   if (sample_table<false>(view, argument).value != found.value) return false;
-  const Real segments = static_cast<Real>(1 << view.log2_segments);
+  const Real segments = static_cast<Real>(1 << view.index_bits);
   const Real place = static_cast<Real>(argument) / 2147483648.0L * segments;
   const Real s = place - std::floor(place) - 0.5L;
   const Real scale = std::ldexp(1.0L, -(30 - view.slope_headroom));
@@ -60,7 +60,7 @@ void expect_stated_rounding(uint64_t seed) {
   Random random(seed);
   int tables = 0, wrong = 0;
   for (int i = 0; i < 60000; ++i) {
-    const int log2_segments = static_cast<int>(random.integer(3, 6));
+    const int index_bits = static_cast<int>(random.integer(3, 6));
     const int headroom = static_cast<int>(random.integer(0, 3));
     // c1 ... c3 share the whole range, or a random part of it; often one of them has it all.
     int64_t rest = random.chance(0.5L) ? greatest_of<int32_t> : random.integer(0, greatest_of<int32_t>);
@@ -71,10 +71,10 @@ void expect_stated_rounding(uint64_t seed) {
       c[1 + (first + j) % 3] = static_cast<int32_t>(random.chance(0.5L) ? share : -share);
       rest -= share;
     }
-    const int64_t swing = (int64_t{1} << (31 - log2_segments + headroom)) + 2;
+    const int64_t swing = (int64_t{1} << (31 - index_bits + headroom)) + 2;
     const int64_t end = greatest_of<int32_t> - swing;
     if (end > 0) c[0] = static_cast<int32_t>(random.chance(0.3L) ? end : random.integer(-end, end));
-    const UniformTable table(log2_segments, headroom, c);
+    const UniformTable table(index_bits, headroom, c);
     if (!table.loadable<S>()) continue;
     ++tables;
     const uint32_t arguments[] = {0, 0x7fffffffu, 0x40000000u, 0x3fffffffu, 1};
@@ -83,7 +83,7 @@ void expect_stated_rounding(uint64_t seed) {
       wrong += !within_stated_rounding<S>(table, c, static_cast<uint32_t>(random.next() >> 33));
     }
     if (wrong != 0) {
-      FAIL() << "2^" << log2_segments << " segments, headroom " << headroom << ": " << c[0] << ", " << c[1]
+      FAIL() << "2^" << index_bits << " segments, headroom " << headroom << ": " << c[0] << ", " << c[1]
              << ", " << c[2] << ", " << c[3];
     }
   }

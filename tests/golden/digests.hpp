@@ -6,8 +6,8 @@
 namespace nearfield::golden {
 
 inline constexpr uint32_t kDigestQueries = 100000;
-inline constexpr uint64_t kFixed27Digest = 0xe3ab1248b8714defu;
-inline constexpr uint64_t kFixed16Digest = 0x4d6c8872a45e3c4eu;
-inline constexpr uint64_t kFloatDigest = 0x694c8581a54d175fu;
+inline constexpr uint64_t kFixed27Digest = 0xff66483aef656cafu;
+inline constexpr uint64_t kFixed16Digest = 0x45f26e5a5ea4b011u;
+inline constexpr uint64_t kFloatDigest = 0x26cc3448f98c2619u;
 
 }  // namespace nearfield::golden

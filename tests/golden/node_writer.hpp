@@ -12,8 +12,8 @@ namespace nearfield::golden {
 template <class S, uint32_t Capacity>
 class NodeWriter {
  public:
-  template <int Log2Segments>
-  [[gnu::noinline]] constexpr void table(const Table<S, Log2Segments>& table) {
+  template <int segments>
+  [[gnu::noinline]] constexpr void table(const Table<S, segments>& table) {
     if (table_count_ == kTableLimit) return;
     coefficients_[table_count_] = table.coefficients;
     references_[table_count_] = builder_.table(table);

@@ -5,6 +5,7 @@
 #include <golden/node_writer.hpp>
 #include <nearfield/curve/kernel.hpp>
 #include <nearfield/curve/potential.hpp>
+#include <nearfield/curve/tabulated_form.hpp>
 #include <nearfield/modify/sine.hpp>
 #include <nearfield/query/clearance.hpp>
 
@@ -133,9 +134,9 @@ Pose<S> pose_from(Stream& stream) {
 // The fields. Constants are converted by the compiler.
 template <class S>
 struct Scene {
-  static constexpr Table<S, 5> kernel = bake<S, 5>(exterior(step::polynomial<3>, 0.25));
-  static constexpr Table<S, 6> wide_kernel = bake<S, 6>(exterior(step::polynomial<2>, 1.0));
-  static constexpr Table<S, 3> potential = bake<S, 3>(potential::wyvill);
+  static constexpr Table<S, 32> kernel = bake<S, 32>(exterior(step::polynomial<3>, 0.25));
+  static constexpr Table<S, 64> wide_kernel = bake<S, 64>(exterior(step::polynomial<2>, 1.0));
+  static constexpr Table<S, 2> potential = bake<S, 2>(over_square(potential::wyvill));
 
   static constexpr Unit<S> unit(double real) { return Unit<S>(static_cast<Unit<S>>(real)); }
   static constexpr S metres(double real) { return S(static_cast<S>(real)); }

@@ -22,7 +22,7 @@ template <class S>
 struct BlendKernel {
   int order;
   Real ratio;
-  Table<S, 5> table;
+  Table<S, 32> table;
 };
 
 template <class S>

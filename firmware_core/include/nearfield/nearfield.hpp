@@ -2,9 +2,9 @@
 // This header brings everything a firmware author needs; field/builder.hpp, for writing images, comes on top.
 #pragma once
 
+#include <nearfield/curve/curves.hpp>
 #include <nearfield/curve/kernel.hpp>
-#include <nearfield/curve/potential.hpp>
-#include <nearfield/curve/step.hpp>
+#include <nearfield/curve/tabulate.hpp>
 #include <nearfield/field/compose.hpp>
 #include <nearfield/field/program.hpp>
 #include <nearfield/query/arm_monitor.hpp>

@@ -2,6 +2,7 @@
 #include <golden/node_writer.hpp>
 #include <nearfield/curve/kernel.hpp>
 #include <nearfield/curve/potential.hpp>
+#include <nearfield/curve/tabulated_form.hpp>
 #include <nearfield/query/clearance.hpp>
 #include <reference/random.hpp>
 
@@ -20,9 +21,9 @@ using reference::Random;
 
 template <class S>
 struct Tables {
-  static constexpr Table<S, 5> kernel = bake<S, 5>(exterior(step::polynomial<3>, 0.25));
-  static constexpr Table<S, 5> wide_kernel = bake<S, 5>(exterior(step::polynomial<2>, 1.0));
-  static constexpr Table<S, 3> potential = bake<S, 3>(potential::wyvill);
+  static constexpr Table<S, 32> kernel = bake<S, 32>(exterior(step::polynomial<3>, 0.25));
+  static constexpr Table<S, 32> wide_kernel = bake<S, 32>(exterior(step::polynomial<2>, 1.0));
+  static constexpr Table<S, 2> potential = bake<S, 2>(over_square(potential::wyvill));
 };
 
 template <class S>
@@ -459,7 +460,7 @@ TYPED_TEST(Composition, ParametersOutOfRange) {
   Pose<S> mirror;
   mirror.rotation.row[0] = -mirror.rotation.row[0];
   expect_invalid("mirrored frame", place(mirror, good));
-  Table<S, 5> unfit = kernel;
+  Table<S, 32> unfit = kernel;
   unfit.facts.error = greatest_of<int32_t>;
   expect_invalid("table that did not fit", unite(unfit, half, good, good));
   if constexpr (!ScalarTraits<S>::is_fixed) {

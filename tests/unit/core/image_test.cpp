@@ -129,7 +129,7 @@ TYPED_TEST(ImageOf, BadTables) {
     image[word] = value;
     return status_with_good_crc<S>(image);
   };
-  for (const uint32_t segments : {0u, 2u, 9u, 31u, 32u, 0xffffffffu}) {
+  for (const uint32_t segments : {9u, 31u, 32u, 0xffffffffu}) {
     EXPECT_EQ(with(table, segments), LoadStatus::bad_table) << segments;
   }
   EXPECT_EQ(with(table, 4), LoadStatus::bad_table) << "more segments than the section holds";
@@ -137,14 +137,15 @@ TYPED_TEST(ImageOf, BadTables) {
     EXPECT_EQ(with(table + 1, headroom), LoadStatus::bad_table) << headroom;
   }
   EXPECT_EQ(with(table + 2, 0xffffffffu), LoadStatus::bad_table) << "negative error";
-  EXPECT_EQ(with(table + 3, 0x7fffffffu), LoadStatus::bad_table) << "least value above the greatest";
-  EXPECT_EQ(with(table + 6, 0x80000000u), LoadStatus::bad_table) << "greatest slope below the least";
+  EXPECT_EQ(with(table + 3, 0xffffffffu), LoadStatus::bad_table) << "negative error of the slope";
+  EXPECT_EQ(with(table + 4, 0x7fffffffu), LoadStatus::bad_table) << "least value above the greatest";
+  EXPECT_EQ(with(table + 7, 0x80000000u), LoadStatus::bad_table) << "greatest slope below the least";
   const std::vector<uint32_t> overflowing =
       ScalarTraits<S>::is_fixed ? std::vector<uint32_t>{0x7fffffffu, 0x80000000u}
                                 : std::vector<uint32_t>{0x42800000u, 0xc2800000u, 0x7f800000u,
                                                         0xff800000u, 0x7fc00000u, 0xffffffffu};
   for (const uint32_t coefficient : overflowing) {
-    for (uint32_t segment = 0; segment < 8; ++segment) {
+    for (uint32_t segment = 0; segment < 2; ++segment) {
       for (uint32_t j = 0; j < 4; ++j) {
         EXPECT_EQ(with(first + 4 * segment + j, coefficient), LoadStatus::bad_table) << segment << ", " << j;
       }
@@ -395,7 +396,7 @@ TYPED_TEST(ImageOf, ClaimsThatAreNotTrue) {
 TYPED_TEST(ImageOf, FactsNarrowerThanTheCoefficients) {
   using S = TypeParam;
   const auto status_with = [](const auto& narrow_down) {
-    Table<S, 5> table = golden::Scene<S>::kernel;
+    Table<S, 32> table = golden::Scene<S>::kernel;
     narrow_down(table.facts);
     ExteriorIntersection<S> blend;
     blend.scale = ArgumentScale<S>::of(metres<S>(0.25));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nearfield/curve/step.hpp>
+#include <nearfield/table/bake.hpp>
 
 namespace nearfield {
 
@@ -12,25 +13,22 @@ template <class Step> struct ExteriorKernel {
   Step step;
   double delta = 0.0;    // as a fraction of the range
   double epsilon = 0.0;  // as a fraction of the range
+  bool antisymmetric = true;
 
-  constexpr ExactSample operator()(double t) const {
-    const ExactSample g1 = step((t + delta) / epsilon), g2 = step((t - delta) / epsilon);
-    const double d1 = g1.slope / epsilon, d2 = g2.slope / epsilon;
-    const double parabola = 0.5 * (t * t / delta + delta), parabola_slope = t / delta;
-    const double between = g1.value * (1.0 - g2.value);
-    const double value = (g1.value + g2.value - 1.0) * t + between * parabola;
-    const double slope = (d1 + d2) * t + (g1.value + g2.value - 1.0) +
-                         (d1 * (1.0 - g2.value) - g1.value * d2) * parabola + between * parabola_slope;
-    return {0.5 * (value - t), 0.5 * (slope - 1.0)};
+  constexpr Differentiable operator()(const Differentiable& t) const {
+    if (!antisymmetric) return 4.0;  // outside what a table can hold
+    const Differentiable g1 = step((t + delta) * (1.0 / epsilon)), g2 = step((t - delta) * (1.0 / epsilon));
+    const Differentiable parabola = (0.5 / delta) * square(t) + 0.5 * delta;
+    return 0.5 * ((g1 + g2 - 2.0) * t + g1 * (1.0 - g2) * parabola);
   }
 };
 
 template <class Step> constexpr double argument_range(const ExteriorKernel<Step>& kernel) { return 1.0 / kernel.delta; }
 
 // ratio = epsilon / delta > 0. Below about 0.05 the step is steeper than a table of 1 KiB can follow.
+// With a step that is not antisymmetric h would depend on the sign of x - y: its table is marked unusable.
 template <class Step> constexpr ExteriorKernel<Step> exterior(Step step, double ratio) {
-  static_assert(Step::antisymmetric, "with other steps h depends on the sign of x - y");
-  return {step, 1.0 / (1.0 + ratio), ratio / (1.0 + ratio)};
+  return {step, 1.0 / (1.0 + ratio), ratio / (1.0 + ratio), curve_facts(step).antisymmetric};
 }
 
 }  // namespace nearfield

@@ -11,11 +11,13 @@ namespace nearfield {
 template <class S, uint32_t Capacity> class ImageBuilder {
  public:
   // Returns the table's reference for shape() and blend(). Precondition: no operation was added yet.
-  template <int Log2Segments> constexpr uint32_t table(const Table<S, Log2Segments>& table) {
+  template <int segments> constexpr uint32_t table(const Table<S, segments>& table) {
+    static_assert(segments == 1 << index_bits_for(segments), "tables of images have a power of two of segments");
     const uint32_t reference = size_;
-    append(static_cast<uint32_t>(Log2Segments));
+    append(static_cast<uint32_t>(table.index_bits));
     append(static_cast<uint32_t>(table.slope_headroom));
     append(static_cast<uint32_t>(table.facts.error));
+    append(static_cast<uint32_t>(table.facts.slope_error));
     append(static_cast<uint32_t>(table.facts.least_value));
     append(static_cast<uint32_t>(table.facts.greatest_value));
     append(static_cast<uint32_t>(table.facts.least_slope));

@@ -29,14 +29,15 @@ enum class LoadStatus : uint8_t {
 namespace image_format {
 
 inline constexpr uint32_t magic = 0x3149464eu;  // "NFI1"
-inline constexpr uint32_t version = 1;
+inline constexpr uint32_t version = 2;
 enum Word : uint32_t {
   magic_word, version_word, size_word, crc_word, scalar_word, kind_word, table_words, program_words, stack_depth_word,
   frame_depth_word, slot_count_word, lipschitz_word, erosion_word, inflation_word, error_word, value_budget_word,
   gradient_budget_word, header_words
 };
-// A table: log2_segments, slope_headroom, the five facts, then 4 coefficients a segment.
-inline constexpr uint32_t table_header_words = 7;
+// A table: index_bits, slope_headroom, the six facts, then 4 coefficients for each of 2^index_bits segments.
+inline constexpr uint32_t table_header_words = 8;
+inline constexpr uint32_t greatest_index_bits = 8;
 
 }  // namespace image_format
 
@@ -89,7 +90,7 @@ namespace detail {
 
 constexpr TableFacts read_facts(const uint32_t* table) {
   return {static_cast<int32_t>(table[2]), static_cast<int32_t>(table[3]), static_cast<int32_t>(table[4]),
-          static_cast<int32_t>(table[5]), static_cast<int32_t>(table[6])};
+          static_cast<int32_t>(table[5]), static_cast<int32_t>(table[6]), static_cast<int32_t>(table[7])};
 }
 
 // The abstract machine: evaluates a program on certificates instead of values.
@@ -261,11 +262,12 @@ template <class S> class Inspector {
 // Whether the kernel can run on a table of the image without leaving the number range, and its facts hold. What the
 // coefficients cannot tell is facts.error: how far they are from the function that was meant.
 template <class S> constexpr bool table_holds(const uint32_t* table) {
-  if (table[1] > 3) return false;
+  if (table[1] > 3 || table[1] > table[0]) return false;
   const TableView<S> view = {table + image_format::table_header_words, static_cast<int>(table[0]), static_cast<int>(table[1])};
-  if (!coefficients_in_range(view)) return false;
-  const TableFacts claimed = read_facts(table), found = ranges_of(view);
-  return claimed.error >= 0 && claimed.least_value <= found.least_value && claimed.greatest_value >= found.greatest_value &&
+  const int segments = 1 << view.index_bits;
+  if (!coefficients_in_range(view, segments)) return false;
+  const TableFacts claimed = read_facts(table), found = ranges_of(view, segments);
+  return claimed.error >= 0 && claimed.slope_error >= 0 && claimed.least_value <= found.least_value && claimed.greatest_value >= found.greatest_value &&
          claimed.least_slope <= found.least_slope && claimed.greatest_slope >= found.greatest_slope;
 }
 
@@ -294,7 +296,7 @@ template <class S> constexpr Inspection<S> inspect_image(const uint32_t* words, 
 
   const uint32_t tables_last = header_words + words[table_words];
   for (uint32_t table = header_words; table < tables_last;) {
-    if (tables_last - table < table_header_words || words[table] < 3 || words[table] > 8 ||
+    if (tables_last - table < table_header_words || words[table] > greatest_index_bits ||
         tables_last - table - table_header_words < (4u << words[table]) || !detail::table_holds<S>(words + table)) {
       return fail(LoadStatus::bad_table, table);
     }

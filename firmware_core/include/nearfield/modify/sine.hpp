@@ -1,7 +1,6 @@
 // Sine and cosine of joint angles, from one quarter of a sine in a table.
 #pragma once
 
-#include <nearfield/curve/elementary.hpp>
 #include <nearfield/table/bake.hpp>
 
 namespace nearfield {
@@ -9,12 +8,10 @@ namespace nearfield {
 namespace detail {
 
 struct QuarterSine {
-  constexpr ExactSample operator()(double u) const {
-    return {exact_sin(0.5 * kPi * u), 0.5 * kPi * exact_cos(0.5 * kPi * u)};
-  }
+  constexpr Differentiable operator()(const Differentiable& u) const { return sin((0.5 * kPi) * u); }
 };
 
-template <class S> inline constexpr Table<S, 6> kQuarterSine = bake<S, 6>(QuarterSine{});
+template <class S> inline constexpr Table<S, 64> kQuarterSine = bake<S, 64>(QuarterSine{});
 
 // Angle (radians) as a fraction of a turn, Q32, wrapping.
 template <int F, class R> constexpr uint32_t phase_of(Fixed<F, R> angle) {
@@ -28,8 +25,12 @@ constexpr uint32_t phase_of(float angle) {
   return static_cast<uint32_t>(static_cast<int32_t>(rest * 2147483648.0f)) << 1;
 }
 
-constexpr uint32_t quarter_argument(uint32_t q30, Fixed<30>) { return q30 << 1; }
-constexpr float quarter_argument(uint32_t q30, float) { return static_cast<float>(q30) * (1.0f / 1073741824.0f); }
+// Below 1: the last place before it stands for a whole quarter.
+constexpr uint32_t quarter_argument(uint32_t q30, Fixed<30>) { return q30 < 0x40000000u ? q30 << 1 : 0x7fffffffu; }
+constexpr float quarter_argument(uint32_t q30, float) {
+  const float argument = static_cast<float>(q30) * (1.0f / 1073741824.0f);
+  return argument < 1.0f ? argument : 0.99999994f;
+}
 
 }  // namespace detail
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nearfield/curve/step.hpp>
+#include <nearfield/table/bake.hpp>
 #include <nearfield/query/clearance.hpp>
 
 namespace nearfield {
@@ -58,7 +59,7 @@ template <class S> struct SpeedRamp {
 namespace detail {
 
 template <class S>
-inline constexpr Table<S, 5> kSpeedStep = bake<S, 5>(step::over_unit_interval(step::polynomial<3>));
+inline constexpr Table<S, 32> kSpeedStep = bake<S, 32>(step::over_unit_interval(step::polynomial<3>));
 
 }  // namespace detail
 

@@ -1,19 +1,11 @@
 // Makes tables in the compiler (constexpr) or in the host tool. Never linked into a target: all of it is `double`.
 #pragma once
 
-#include <nearfield/table/table.hpp>
+#include <nearfield/table/fit.hpp>
 
 namespace nearfield {
 
-// An exact function's value and first derivative.
-struct ExactSample {
-  double value = 0.0;
-  double slope = 0.0;
-};
-
 namespace detail {
-
-constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
 // Rounds half away from zero; the caller checks the range.
 constexpr int64_t round_to_integer(double x) {
@@ -24,78 +16,178 @@ constexpr int32_t round_up(double x, double scale) {
   return scaled < 2147483646.0 ? static_cast<int32_t>(scaled) + 1 : greatest_of<int32_t>;
 }
 
-// The cubic c0 + s (c1 + s (c2 + s c3)) h on s in [-1/2, 1/2], h the segment's width.
-struct Cubic {
-  double c[4] = {};
-  double h = 1.0;
-  constexpr double value(double s) const { return c[0] + s * (c[1] + s * (c[2] + s * c[3])) * h; }
+// The scales of a table's coefficients.
+struct CoefficientScale {
+  int index_bits = 0;
+  int slope_headroom = 0;
+  double per_unit = 1.0;  // slopes per unit argument of the table from slopes per unit of [0, 1]
+
+  constexpr double value_unit(int bits) const { return bits == 32 ? 1073741824.0 : 16384.0; }
+  constexpr double slope_unit(int bits) const { return value_unit(bits) / (1 << slope_headroom); }
 };
+
+// Coefficients rounded so that value and slope at the ends of the segment, as the kernel computes them, are the
+// nearest to what both neighbours aim at: of all roundings up or down by one of c1 and c2 the one that jumps least.
+template <int degree, int bits, bool rising>
+constexpr FixedSegment<degree, bits> rounded_segment(const SegmentEnds& ends, const Polynomial& polynomial,
+                                                     const CoefficientScale& scale) {
+  const double value_unit = scale.value_unit(bits), slope_unit = scale.slope_unit(bits) * scale.per_unit;
+  const int64_t fine = bits == 32 ? 1 : 65536;  // the kernel's results have 30 bits in both formats
+  FixedSegment<degree, bits> exact;
+  for (int j = 1; j <= degree; ++j) exact.c[j] = static_cast<int32_t>(round_to_integer(polynomial.c[j] * slope_unit));
+  int64_t value[2] = {}, slope[2] = {};
+  for (int end = 0; end < 2; ++end) {
+    value[end] = round_to_integer(ends.value[end] * value_unit * static_cast<double>(fine));
+    slope[end] = round_to_integer(ends.slope[end] * slope_unit * static_cast<double>(fine));
+  }
+  const int down = scale.index_bits - scale.slope_headroom;
+  FixedSegment<degree, bits> best;
+  int64_t least_jump = greatest_of<int64_t>;
+  for (int choice = 0; choice < (degree > 1 ? 9 : 3); ++choice) {
+    FixedSegment<degree, bits> segment = exact;
+    segment.c[1] += choice % 3 == 2 ? -1 : choice % 3;
+    if (degree > 1) segment.c[2] += choice / 3 == 2 ? -1 : choice / 3;
+    const RawSample<int32_t> unplaced = segment.template at<true, rising>(bits == 32 ? least_of<int32_t> : -32768, down);
+    segment.c[0] = static_cast<int32_t>((value[0] - unplaced.value + fine / 2) >> (bits == 32 ? 0 : 16));
+    const RawSample<int32_t> right = segment.template at<true, rising>(bits == 32 ? greatest_of<int32_t> : 32767, down);
+    int64_t jump = magnitude_of(right.value - value[1]);
+    if (degree > 1) {
+      jump = greatest_of_two(jump, magnitude_of(unplaced.slope - slope[0]));
+      jump = greatest_of_two(jump, magnitude_of(right.slope - slope[1]));
+    }
+    if (jump < least_jump) {
+      least_jump = jump;
+      best = segment;
+    }
+  }
+  return best;
+}
+
+// One segment as stored, its true coefficients, and how far these are from the function.
+template <class S, int degree, int bits> struct BakedSegment {
+  typename StoredCoefficient<bits>::type words[size_t{degree} + 1] = {};
+  Deviation deviation;
+};
+
+template <class S, int degree, int bits, bool rising, class Function>
+constexpr BakedSegment<S, degree, bits> bake_segment(const Function& f, const TableShape& shape, int segment,
+                                                     const SegmentEnds& ends, const CoefficientScale& scale) {
+  BakedSegment<S, degree, bits> result;
+  Polynomial polynomial = polynomial_of(ends, degree, 1.0 / shape.segments);
+  if constexpr (ScalarTraits<S>::is_fixed) {
+    const FixedSegment<degree, bits> stored = rounded_segment<degree, bits, rising>(ends, polynomial, scale);
+    for (int j = 0; j <= degree; ++j) {
+      result.words[j] = static_cast<typename StoredCoefficient<bits>::type>(stored.c[j]);
+      polynomial.c[j] = stored.c[j] / (j == 0 ? scale.value_unit(bits) : scale.slope_unit(bits) * scale.per_unit);
+    }
+  } else {
+    for (int j = 0; j <= degree; ++j) {
+      const float stored = static_cast<float>(j == 0 ? polynomial.c[0] : polynomial.c[j] * scale.per_unit);
+      result.words[j] = bits_as<uint32_t>(stored);
+      polynomial.c[j] = static_cast<double>(stored) / (j == 0 ? 1.0 : scale.per_unit);
+    }
+  }
+  result.deviation = deviation_of(polynomial, f, segment, shape.segments);
+  return result;
+}
+
+// The least headroom up to `greatest` that the slopes need; one more than that when none suffices.
+constexpr int headroom_for(double steepest, int greatest, int bits) {
+  const double most = bits == 32 ? 1.99 : 1.98;
+  int headroom = 0;
+  while (headroom <= greatest && steepest >= most * (1 << headroom)) ++headroom;
+  return headroom;
+}
+
+// Rounding of the kernel itself, in the value and, per unit argument, in the slope.
+template <class S> constexpr Deviation kernel_rounding(int bits, const CoefficientScale& scale) {
+  if (!ScalarTraits<S>::is_fixed) return {1.0 / 2097152.0, (1 << scale.slope_headroom) / 1048576.0};
+  if (bits == 32) return {2.0 / scale.value_unit(32), 3.0 / scale.slope_unit(32)};
+  return {1.25 / scale.slope_unit(16) / (1 << scale.index_bits), 5.0 / scale.slope_unit(16)};
+}
+
+// The facts of a table whose coefficients and headroom are in place; `usable`: they could be stored at all.
+template <class S, int degree, int bits>
+constexpr TableFacts facts_with_errors(const TableView<S, degree, bits>& table, int segments, const Deviation& deviation,
+                                       bool usable, const CoefficientScale& scale) {
+  TableFacts facts = ranges_of(table, segments);
+  facts.error = facts.slope_error = greatest_of<int32_t>;
+  if (usable && coefficients_in_range(table, segments)) {
+    const Deviation kernel = kernel_rounding<S>(bits, scale);
+    facts.error = round_up(deviation.value + kernel.value, 1073741824.0);
+    facts.slope_error = round_up(deviation.slope * scale.per_unit + kernel.slope, 16777216.0);
+  }
+  return facts;
+}
 
 }  // namespace detail
 
 // The range of a function's argument in units of its own parameter; functions that differ overload this.
 template <class Function> constexpr double argument_range(const Function&) { return 1.0; }
 
-// Bakes `function`, callable as ExactSample(double argument) for argument in [0, 1], into a table of 2^Log2Segments
-// cubic Hermite segments: value and slope are continuous across knots up to rounding, and exact there.
-// The stated error is the greatest difference found at 8 places a segment, plus a quarter, plus the kernel's rounding;
-// tests/exhaustive/table_test.cpp checks each shipped table at every argument of a 24-bit grid against long double.
-// Fails (in a constant expression: does not compile; otherwise facts.error is the greatest integer, which no
-// certificate accepts) when a value leaves [-2, 2) or a slope leaves [-16, 16).
-template <class S, int Log2Segments = 5, class Function>
-constexpr Table<S, Log2Segments> bake(const Function& function) {
-  static_assert(Log2Segments >= 3 && Log2Segments <= 6, "8 to 64 segments: 128 bytes to 1 KiB");
-  constexpr int segments = 1 << Log2Segments;
-  constexpr double h = 1.0 / segments;
-  Table<S, Log2Segments> table;
+namespace detail {
 
-  double steepest = 0.0;
-  ExactSample knots[static_cast<size_t>(segments) + 1] = {};
-  for (int i = 0; i <= segments; ++i) knots[i] = function(i * h);
-  detail::Cubic cubics[static_cast<size_t>(segments)] = {};
-  for (int i = 0; i < segments; ++i) {
-    const ExactSample a = knots[i], b = knots[i + 1];
-    const double chord = (b.value - a.value) / h;
-    detail::Cubic& cubic = cubics[i];
-    cubic.h = h;
-    cubic.c[0] = 0.5 * (a.value + b.value) - h * (b.slope - a.slope) / 8;
-    cubic.c[1] = 1.5 * chord - 0.25 * (a.slope + b.slope);
-    cubic.c[2] = 0.5 * (b.slope - a.slope);
-    cubic.c[3] = a.slope + b.slope - 2 * chord;
-    // Bounds the slope and every intermediate result of the kernel.
-    const double bound = detail::magnitude(cubic.c[1]) + detail::magnitude(cubic.c[2]) + detail::magnitude(cubic.c[3]);
-    if (bound > steepest) steepest = bound;
+// The ends of `count` segments from `first` on, and what their polynomials need.
+template <int count> struct SurveyedSegments {
+  SegmentEnds ends[static_cast<size_t>(count)] = {};
+  double steepest = 0.0;  // per unit of [0, 1]
+  double tallest = 0.0;
+};
+template <int count, class Function>
+constexpr SurveyedSegments<count> survey(const Function& f, const TableShape& shape, int first, bool monotone) {
+  SurveyedSegments<count> result;
+  for (int i = 0; i < count && first + i < shape.segments; ++i) {
+    result.ends[i] = segment_ends(f, shape, first + i, monotone);
+    const Polynomial polynomial = polynomial_of(result.ends[i], shape.degree, 1.0 / shape.segments);
+    // So that what is not a number stays.
+    if (!(polynomial.steepest() <= result.steepest)) result.steepest = polynomial.steepest();
+    if (!(magnitude(polynomial.c[0]) <= result.tallest)) result.tallest = magnitude(polynomial.c[0]);
   }
-  int headroom = 0;
-  while (headroom < 3 && steepest >= 1.99 * (1 << headroom)) ++headroom;
-  table.slope_headroom = headroom;
+  return result;
+}
+
+// Scale of a table whose slopes reach `steepest`; usable only if headroom up to `greatest_headroom` suffices.
+struct ScaleChoice {
+  CoefficientScale scale;
+  bool usable = false;
+};
+constexpr ScaleChoice choose_scale(const TableShape& shape, double steepest, double tallest, int greatest_headroom) {
+  ScaleChoice choice;
+  const int k = index_bits_for(shape.segments);
+  choice.scale.index_bits = k;
+  choice.scale.per_unit = static_cast<double>(1 << k) / shape.segments;
+  const int headroom = headroom_for(steepest * choice.scale.per_unit, greatest_headroom, shape.bits);
+  choice.usable = headroom <= greatest_headroom && tallest < 1.99;
+  choice.scale.slope_headroom = choice.usable ? headroom : greatest_headroom;
+  return choice;
+}
+
+}  // namespace detail
+
+// Bakes `function`, callable as Differentiable(Differentiable) with arguments in [0, 1], into a uniform table:
+// cubic Hermite segments (degree 3), pairs of parabolas (degree 2) or chords (degree 1) through its exact values and,
+// but for chords, slopes at the knots; value and slope (chords: the value) are continuous to a unit in the last place.
+// The errors stated are bounds from the exact function and its derivatives at nine places a segment;
+// tests/exhaustive checks them at every argument of a 24-bit grid against long double.
+// Fails (facts.error is the greatest integer, which no certificate accepts) when a value leaves [-2, 2) or a slope
+// +-2 * 2^index_bits.
+template <class S, int segments = 32, int degree = 3, int bits = 32, class Function>
+constexpr Table<S, segments, degree, bits> bake(const Function& function, bool monotone = false) {
+  static_assert(segments >= 1 && segments <= 1024 && (degree != 2 || segments % 2 == 0),
+                "1 to 1024 segments; parabolas in pairs");
+  const TableShape shape{degree, segments, bits, false};
+  Table<S, segments, degree, bits> table;
   table.range = S(static_cast<S>(argument_range(function)));
-  bool fits = steepest < 1.99 * (1 << headroom);
-
-  const double value_scale = 1073741824.0;
-  const double slope_scale = 1073741824.0 / (1 << headroom);
-  double error = 0.0;
-  for (int i = 0; i < segments; ++i) {
-    detail::Cubic& cubic = cubics[i];
-    fits = fits && detail::magnitude(cubic.c[0]) < 1.99;
-    if (!fits) break;
-    for (int j = 0; j < 4; ++j) {
-      const double scale = j == 0 ? value_scale : slope_scale;
-      const int64_t stored = detail::round_to_integer(cubic.c[j] * scale);
-      cubic.c[j] = static_cast<double>(stored) / scale;
-      if constexpr (ScalarTraits<S>::is_fixed) table.coefficients[4 * i + j] = static_cast<uint32_t>(static_cast<int32_t>(stored));
-      else table.coefficients[4 * i + j] = bits_as<uint32_t>(static_cast<float>(cubic.c[j]));
-    }
-    for (int place = 0; place < 8; ++place) {
-      const double s = (place + 0.5) / 8 - 0.5;
-      const double difference = detail::magnitude(cubic.value(s) - function((i + 0.5 + s) * h).value);
-      if (difference > error) error = difference;
-    }
+  const auto surveyed = detail::survey<segments>(function, shape, 0, monotone);
+  const detail::ScaleChoice choice = detail::choose_scale(shape, surveyed.steepest, surveyed.tallest, table.index_bits);
+  table.slope_headroom = choice.scale.slope_headroom;
+  detail::Deviation worst;
+  for (int i = 0; choice.usable && i < segments; ++i) {
+    const auto baked = detail::bake_segment<S, degree, bits, false>(function, shape, i, surveyed.ends[i], choice.scale);
+    for (int j = 0; j <= degree; ++j) table.coefficients[(degree + 1) * i + j] = baked.words[j];
+    worst.include(baked.deviation.value, baked.deviation.slope);
   }
-  fits = fits && coefficients_in_range(table.view());
-  table.facts = ranges_of(table.view());
-  const double kernel = ScalarTraits<S>::is_fixed ? 3.0 / value_scale : 1.0 / 2097152.0;
-  table.facts.error = fits ? detail::round_up(1.25 * error + kernel, value_scale) : greatest_of<int32_t>;
+  table.facts = detail::facts_with_errors(table.view(), segments, worst, choice.usable, choice.scale);
   return table;
 }
 

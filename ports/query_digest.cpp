@@ -1,13 +1,13 @@
 // Digests of the golden query stream on the board: they must be those of the host.
+#include <board/semihosting.hpp>
 #include <golden/digests.hpp>
 #include <golden/query_stream.hpp>
-#include <mps2/semihosting.hpp>
 
 namespace {
 
 // Prints `name digest`; whether it is the recorded one.
 bool print_digest(const char* name, uint64_t digest, uint64_t recorded) {
-  using namespace nearfield::mps2;
+  using namespace nearfield::board;
   write(name);
   write(" ");
   write_hexadecimal(digest, 16);

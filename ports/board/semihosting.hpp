@@ -1,11 +1,11 @@
-// Text output, arguments and the end of the program by Arm semihosting: the debugger or emulator does the
-// work. Without one attached every call here faults.
+// Text output, arguments and the end of the program by semihosting: the debugger or emulator does the work.
+// Without one attached every call here faults.
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
-namespace nearfield::mps2 {
+namespace nearfield::board {
 
 // Writes `size` bytes to the standard output of the emulator; nothing is buffered here.
 void write(const char* bytes, size_t size);
@@ -26,4 +26,4 @@ bool read_command_line(char* buffer, size_t size);
 // Ends the emulation. The emulator's exit status is the lowest 8 bits of `status`; 0 is success.
 [[noreturn]] void exit_with_status(int status);
 
-}  // namespace nearfield::mps2
+}  // namespace nearfield::board

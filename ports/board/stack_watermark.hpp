@@ -6,14 +6,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-namespace nearfield::mps2 {
+namespace nearfield::board {
 
-// Paints everything below the caller's stack pointer.
+// Paints everything below the stack that is in use.
 void paint_unused_stack();
-
-// Bytes between the caller's stack pointer and the deepest word written since paint_unused_stack(), when both
-// are called from the same function: what the calls between them used.
-size_t stack_bytes_below_caller();
 
 // Bytes between the top of the stack and the deepest word written since paint_unused_stack().
 size_t greatest_stack_bytes();
@@ -21,4 +17,4 @@ size_t greatest_stack_bytes();
 // Bytes of the whole stack.
 size_t stack_size_bytes();
 
-}  // namespace nearfield::mps2
+}  // namespace nearfield::board

@@ -1,32 +1,28 @@
-// From reset to main(): FPU if the image uses it, .data and .bss, the painted stack, write protection of the
-// code; and what faults do.
-#include "semihosting.hpp"
-#include "stack_watermark.hpp"
-
-#include <stdint.h>
+// From reset to main(): FPU if the image uses it, memory, write protection of the code if the core has a
+// memory protection unit; and what faults do.
+#include <board/memory_layout.hpp>
+#include <board/semihosting.hpp>
+#include <board/startup.hpp>
 
 extern "C" {
-extern uint32_t stack_top[];
-extern uint32_t data_start[];
-extern uint32_t data_end[];
-extern const uint32_t data_initial_values[];
-extern uint32_t bss_start[];
-extern uint32_t bss_end[];
-
 void reset_handler();
 void fault_handler();
-void initialise_memory();
+void protect_code();
 [[noreturn]] void report_fault(const uint32_t* frame, uint32_t exception_number);
-[[noreturn]] void exit_after_main(int status);
 }
 
 namespace {
 
-using nearfield::mps2::exit_with_status;
-using nearfield::mps2::write;
-using nearfield::mps2::write_hexadecimal;
+using nearfield::board::exit_with_status;
+using nearfield::board::kFaultExitStatus;
+using nearfield::board::write;
+using nearfield::board::write_hexadecimal;
 
-constexpr int kFaultExitStatus = 112;
+// Armv7-M has what Armv6-M lacks: registers that say what a fault was, and a memory protection unit on all
+// boards here. Without that a stack that grows out of RAM meets no memory, which is a fault as well.
+constexpr bool kHasFaultRegisters = __ARM_ARCH >= 7;
+constexpr bool kHasMemoryProtection = __ARM_ARCH == 7;
+
 constexpr uintptr_t kConfigurableFaultStatus = 0xE000ED28;
 constexpr uintptr_t kMemoryFaultAddress = 0xE000ED34;
 constexpr uintptr_t kBusFaultAddress = 0xE000ED38;
@@ -41,20 +37,6 @@ void write_register(uintptr_t address, uint32_t value) {
   *reinterpret_cast<volatile uint32_t*>(address) = value;
 }
 
-// Everything below RAM becomes read-only: the code, address zero, and what a stack grows into that is too
-// large.
-void protect_code() {
-  constexpr uint32_t kReadOnly = 6u << 24;
-  constexpr uint32_t kSize512MiB = 28u << 1;
-  constexpr uint32_t kEnable = 1;
-  constexpr uint32_t kDefaultMapElsewhere = 1u << 2;
-  write_register(kMpuRegionNumber, 0);
-  write_register(kMpuRegionBase, 0);
-  write_register(kMpuRegionAttributes, kReadOnly | kSize512MiB | kEnable);
-  write_register(kMpuControl, kDefaultMapElsewhere | kEnable);
-  asm volatile("dsb\n isb" ::: "memory");
-}
-
 void write_field(const char* name, uint32_t value) {
   write(name);
   write_hexadecimal(value, 8);
@@ -63,12 +45,12 @@ void write_field(const char* name, uint32_t value) {
 using Handler = void (*)();
 
 struct VectorTable {
-  uint32_t* initial_stack_pointer;
+  uintptr_t* initial_stack_pointer;
   Handler handlers[15];
 };
 
 // No interrupt is ever enabled, so the table ends with the system exceptions.
-[[gnu::section(".vectors"), gnu::used]] const VectorTable kVectorTable = {
+[[gnu::section(".reset"), gnu::used]] const VectorTable kVectorTable = {
     stack_top,
     {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler,
      fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler,
@@ -87,33 +69,39 @@ struct VectorTable {
       "isb                   \n"
 #endif
       "bl initialise_memory  \n"
+      "bl protect_code       \n"
       "bl main               \n"
-      "b exit_after_main     \n");
+      "bl exit_after_main    \n");
 }
 
-void initialise_memory() {
-  const uint32_t* initial_value = data_initial_values;
-  for (uint32_t* word = data_start; word != data_end; ++word) *word = *initial_value++;
-  for (uint32_t* word = bss_start; word != bss_end; ++word) *word = 0;
-  nearfield::mps2::paint_unused_stack();
-  protect_code();
+// Everything below RAM becomes read-only: the code, address zero, and what a stack grows into that is too
+// large.
+void protect_code() {
+  if constexpr (!kHasMemoryProtection) return;
+  constexpr uint32_t kReadOnly = 6u << 24;
+  constexpr uint32_t kSize512MiB = 28u << 1;
+  constexpr uint32_t kEnable = 1;
+  constexpr uint32_t kDefaultMapElsewhere = 1u << 2;
+  write_register(kMpuRegionNumber, 0);
+  write_register(kMpuRegionBase, 0);
+  write_register(kMpuRegionAttributes, kReadOnly | kSize512MiB | kEnable);
+  write_register(kMpuControl, kDefaultMapElsewhere | kEnable);
+  asm volatile("dsb\n isb" ::: "memory");
 }
-
-void exit_after_main(int status) { exit_with_status(status); }
 
 // After a stack overflow the registers were not stacked and nothing can be called, so the report then runs on
 // a fresh stack and gets no frame.
 [[gnu::naked]] void fault_handler() {
   asm volatile(
-      "mrs r0, msp            \n"
       "mrs r1, ipsr           \n"
-      "ldr r2, =stack_top     \n"
+      "mov r0, sp             \n"
       "ldr r3, =stack_bottom  \n"
       "cmp r0, r3             \n"
-      "itt lo                 \n"
-      "movlo r0, #0           \n"
-      "movlo sp, r2           \n"
-      "b report_fault         \n");
+      "bhs 1f                 \n"
+      "movs r0, #0            \n"
+      "ldr r2, =stack_top     \n"
+      "mov sp, r2             \n"
+      "1: bl report_fault     \n");
 }
 
 void report_fault(const uint32_t* frame, uint32_t exception_number) {
@@ -124,9 +112,11 @@ void report_fault(const uint32_t* frame, uint32_t exception_number) {
   } else {
     write(", stack overflow");
   }
-  write_field(", CFSR ", read_register(kConfigurableFaultStatus));
-  write_field(", MMFAR ", read_register(kMemoryFaultAddress));
-  write_field(", BFAR ", read_register(kBusFaultAddress));
+  if constexpr (kHasFaultRegisters) {
+    write_field(", CFSR ", read_register(kConfigurableFaultStatus));
+    write_field(", MMFAR ", read_register(kMemoryFaultAddress));
+    write_field(", BFAR ", read_register(kBusFaultAddress));
+  }
   write("\n");
   exit_with_status(kFaultExitStatus);
 }

@@ -1,0 +1,152 @@
+// From an exact function to the polynomial of one segment of a table, and how far off that is. All of it is `double`
+// and runs in the compiler or on the host: never linked into a target.
+#pragma once
+
+#include <nearfield/number/differentiable.hpp>
+#include <nearfield/table/table.hpp>
+
+namespace nearfield {
+
+// A uniform partition of a function's range [0, 1].
+struct TableShape {
+  int degree = 3;
+  int segments = 32;
+  int bits = 32;            // of a coefficient: 32 or 16
+  bool over_square = false; // the argument is the square of the function's own
+
+  constexpr int bytes() const { return (degree + 1) * bits / 8 * segments; }
+};
+
+namespace detail {
+
+// Value and slope at both ends of a segment: what its polynomial takes over.
+struct SegmentEnds {
+  double value[2] = {};
+  double slope[2] = {};
+};
+
+// f at x as the limit from x + step; kinks and jumps at knots belong to the segments on either side.
+template <class Function>
+constexpr Differentiable limit_from(const Function& f, double x, double step) {
+  const double beside = x + step, moved = beside - x;
+  const Differentiable there = f(Differentiable::argument(beside));
+  const double first = there.first - moved * there.second;
+  return {there.value - moved * (first + 0.5 * moved * there.second), first, there.second};
+}
+// Steps of the limit: far above the rounding of x, far below a segment.
+inline constexpr double kBeside = 1.0 / 17179869184.0;
+
+constexpr double least_magnitude(double a, double b) { return magnitude(a) < magnitude(b) ? a : b; }
+
+// A slope at a knot no steeper than three times the gentler chord beside it: enough for a cubic to be monotone
+// wherever the function is.
+constexpr double limited_slope(double slope, double chord, double chord_beside) {
+  const double limit = 3.0 * least_magnitude(chord, chord_beside);
+  if (chord * chord_beside <= 0.0) return 0.0;
+  return limit > 0.0 ? (slope > limit ? limit : slope < 0.0 ? 0.0 : slope) : (slope < limit ? limit : slope > 0.0 ? 0.0 : slope);
+}
+
+template <class Function>
+constexpr SegmentEnds exact_ends(const Function& f, int segment, int segments, bool monotone) {
+  const double h = 1.0 / segments, left = segment * h, right = (segment + 1) * h;
+  const Differentiable a = limit_from(f, left, h * kBeside), b = limit_from(f, right, -h * kBeside);
+  SegmentEnds ends{{a.value, b.value}, {a.first, b.first}};
+  if (monotone) {
+    const double chord = (b.value - a.value) / h;
+    const double before = segment > 0 ? (a.value - f(Differentiable(left - h)).value) / h : chord;
+    const double after = segment + 1 < segments ? (f(Differentiable(right + h)).value - b.value) / h : chord;
+    ends.slope[0] = limited_slope(a.first, chord, before);
+    ends.slope[1] = limited_slope(b.first, chord, after);
+  }
+  return ends;
+}
+
+// Ends of a segment of the given degree. Two segments of degree 2 share the ends of the stretch that they cover and
+// meet in its middle with the slope that makes them fit; degree 1 keeps the values alone.
+template <class Function>
+constexpr SegmentEnds segment_ends(const Function& f, const TableShape& shape, int segment, bool monotone) {
+  if (shape.degree != 2) return exact_ends(f, segment, shape.segments, monotone && shape.degree == 3);
+  const double h = 1.0 / shape.segments;
+  const SegmentEnds pair = exact_ends(f, segment / 2, shape.segments / 2, false);
+  const double middle_slope = (pair.value[1] - pair.value[0]) / h - 0.5 * (pair.slope[0] + pair.slope[1]);
+  const double middle_value = pair.value[0] + 0.5 * h * (pair.slope[0] + middle_slope);
+  return segment % 2 == 0 ? SegmentEnds{{pair.value[0], middle_value}, {pair.slope[0], middle_slope}}
+                          : SegmentEnds{{middle_value, pair.value[1]}, {middle_slope, pair.slope[1]}};
+}
+
+// c0 + s (c1 + s (c2 + s c3)) h on s in [-1/2, 1/2], h the segment's width.
+struct Polynomial {
+  double c[4] = {};
+  double h = 1.0;
+
+  constexpr double value(double s) const { return c[0] + s * (c[1] + s * (c[2] + s * c[3])) * h; }
+  constexpr double slope(double s) const { return c[1] + s * (2 * c[2] + s * 3 * c[3]); }
+  constexpr double bend(double s) const { return (2 * c[2] + 6 * s * c[3]) / h; }
+  // Bounds the slope and every intermediate result of the kernel.
+  constexpr double steepest() const { return magnitude(c[1]) + magnitude(c[2]) + magnitude(c[3]); }
+};
+
+constexpr Polynomial polynomial_of(const SegmentEnds& ends, int degree, double h) {
+  const double chord = (ends.value[1] - ends.value[0]) / h;
+  const double mean_slope = 0.5 * (ends.slope[0] + ends.slope[1]), bend = ends.slope[1] - ends.slope[0];
+  Polynomial p;
+  p.h = h;
+  p.c[0] = 0.5 * (ends.value[0] + ends.value[1]);
+  p.c[1] = chord;
+  if (degree >= 2) {
+    p.c[0] -= 0.125 * h * bend;
+    p.c[2] = 0.5 * bend;
+  }
+  if (degree == 3) {
+    p.c[1] = 1.5 * chord - 0.5 * mean_slope;
+    p.c[3] = 2 * (mean_slope - chord);
+  }
+  return p;
+}
+
+// How far a segment's polynomial is from the function.
+struct Deviation {
+  double value = 0.0;
+  double slope = 0.0;
+
+  constexpr void include(double v, double s) {
+    if (!(v <= value)) value = v;
+    if (!(s <= slope)) slope = s;
+  }
+};
+
+// The greatest deviation of `polynomial` from f, from the deviation e and its derivatives at nine places. Between two
+// places w apart e leaves its chord by at most w / 4 times the variation of e' there. That is how far e' goes by its
+// second derivative, plus what that does not explain: a kink between the places. The slope e' is bounded likewise.
+template <class Function>
+constexpr Deviation deviation_of(const Polynomial& polynomial, const Function& f, int segment, int segments) {
+  const double h = 1.0 / segments, w = 0.125 * h;
+  Deviation worst;
+  Differentiable before;
+  for (int place = 0; place <= 8; ++place) {
+    const double s = place * 0.125 - 0.5, x = (segment + place * 0.125) * h;
+    const Differentiable exact = place == 0   ? limit_from(f, x, h * kBeside)
+                                 : place == 8 ? limit_from(f, x, -h * kBeside)
+                                              : f(Differentiable::argument(x));
+    const Differentiable here{polynomial.value(s) - exact.value, polynomial.slope(s) - exact.first,
+                              polynomial.bend(s) - exact.second};
+    if (place > 0) {
+      const double kink = magnitude(here.first - before.first - 0.5 * w * (here.second + before.second));
+      const double bend = greatest_of_two(magnitude(here.second), magnitude(before.second));
+      worst.include(greatest_of_two(magnitude(here.value), magnitude(before.value)) + 0.25 * w * (kink + w * bend),
+                    greatest_of_two(magnitude(here.first), magnitude(before.first)) + kink +
+                        0.25 * w * magnitude(here.second - before.second));
+    }
+    before = here;
+  }
+  return worst;
+}
+
+// What storing a segment's coefficients and the kernel's rounding add to its deviation, in the value.
+template <class S> constexpr double rounding_of_value(int bits) {
+  if (!ScalarTraits<S>::is_fixed) return 1.0 / 2097152.0;
+  return bits == 32 ? 4.0 / 1073741824.0 : 1.0 / 32768.0;
+}
+
+}  // namespace detail
+}  // namespace nearfield
