@@ -1,12 +1,13 @@
-// Measures what the kernels cost on this core: the worst instruction counts over some hundred arguments, in
-// line in a loop and as a call, of the tables and of what a user would write instead. One row a kernel, value
-// only and value with slope. Fails if the counter is not exact or a table is not near the function it was
-// baked from.
-#include <nearfield/curve/step.hpp>
-#include <nearfield/table/bake.hpp>
+// What the kernel costs on this core, next to what a user would write instead: the worst instruction counts over some
+// hundred arguments, in line in a loop. One row a table format or function, value only and value with slope, then the
+// comparison of KW's Table 1. Fails if the counter is not exact or a table is not near the function it stands for.
+#include <nearfield/curve/curves.hpp>
+#include <nearfield/curve/tabulate.hpp>
 
 #include <board/semihosting.hpp>
 #include <board/worst_instruction_count.hpp>
+
+#include <float_curves.hpp>
 
 namespace {
 
@@ -23,8 +24,9 @@ uint32_t argument_of_bits(uint32_t i, int bits) {
   if (i < kBorderArguments) return ((i + 1) / 3 << (bits - 6)) + (i + 1) % 3 - 1;
   return (i * 2654435761u) >> (32 - bits);
 }
-
-uint32_t fixed_argument(uint32_t i) { return argument_of_bits(i, 31); }
+uint32_t table_argument(uint32_t i) { return argument_of_bits(i, 31); }
+// From -1 to 1, both beyond and within.
+uint32_t step_argument(uint32_t i) { return argument_of_bits(i, 28) * 5 / 4 - 5 * (1u << 25); }
 
 // The same as floats, then numbers of every magnitude below 1, subnormal ones included.
 constexpr uint32_t kFloatArguments = kArguments + 128;
@@ -35,64 +37,36 @@ float float_argument(uint32_t i) {
   return bits_as<float>(multiply_high(i * 2654435761u, kBitsOfOne));
 }
 
-// The tables, for use in line, and their views as a program meets them that was loaded: known at run time
-// only.
-constexpr auto kStep = bake<Q>(step::over_unit_interval(step::polynomial<3>));
-constexpr auto kFloatStep = bake<float>(step::over_unit_interval(step::polynomial<3>));
+constexpr auto kStepFunction = step::over_unit_interval(step::polynomial<3>);
+template <int degree, int bits> constexpr auto kStep = bake<Q, 32, degree, bits>(kStepFunction);
+constexpr auto kFloatStep = bake<float>(kStepFunction);
+constexpr auto kMirroredStep = tabulate<Q, step::polynomial<3>>();
 
-template <class S>
-[[gnu::noipa]] TableView<S> at_run_time(TableView<S> view) {
-  return view;
-}
+// A view as a program meets it that was loaded: known at run time only.
+[[gnu::noipa]] TableView<Q> at_run_time(TableView<Q> view) { return view; }
 TableView<Q> step_view;
-TableView<float> float_step_view;
 
-ValueAndSlope<int32_t> words_of(const TableSample<Q>& sample) {
-  return {sample.value.raw(), sample.slope.raw()};
-}
+ValueAndSlope<int32_t> words_of(const TableSample<Q>& sample) { return {sample.value.raw(), sample.slope.raw()}; }
 ValueAndSlope<float> words_of(const TableSample<float>& sample) { return {sample.value, sample.slope}; }
 
-template <bool with_slope, class S>
-[[gnu::noipa]] auto sample_called(const TableView<S>& table, typename TableArgument<S>::type argument) {
-  if constexpr (with_slope)
-    return words_of(sample_table<true>(table, argument));
-  else
-    return words_of(sample_table<false>(table, argument)).value;
+[[gnu::noipa]] int32_t value_called(const TableView<Q>& table, uint32_t t) { return sample_table<false>(table, t).value.raw(); }
+[[gnu::noipa]] ValueAndSlope<int32_t> both_called(const TableView<Q>& table, uint32_t t) {
+  return words_of(sample_table<true>(table, t));
 }
-
-// The step H_3 over [0, 1] in its three pieces.
-[[gnu::always_inline]] inline ValueAndSlope<float> exact_step(float u) {
-  const float x = 3.0f * u;
-  if (x <= 0.0f) return {0.0f, 0.0f};
-  if (x < 1.0f) return {x * x * x * (1.0f / 6.0f), 1.5f * x * x};
-  if (x < 2.0f) {
-    const float y = x - 1.5f;
-    return {0.5f + y * (0.75f - y * y * (1.0f / 3.0f)), 3.0f * (0.75f - y * y)};
-  }
-  if (x < 3.0f) {
-    const float y = 3.0f - x;
-    return {1.0f - y * y * y * (1.0f / 6.0f), 1.5f * y * y};
-  }
-  return {1.0f, 0.0f};
-}
-
-// The potential of Wyvill as a function of the squared distance.
-[[gnu::always_inline]] inline ValueAndSlope<float> exact_potential(float u) {
-  if (u >= 1.0f) return {0.0f, 0.0f};
-  return {((-4.0f / 9.0f * u + 17.0f / 9.0f) * u - 22.0f / 9.0f) * u + 1.0f,
-          (-12.0f / 9.0f * u + 34.0f / 9.0f) * u - 22.0f / 9.0f};
-}
-
-// The same where the compiler cannot inline it.
-[[gnu::noipa]] float called_step_value(float u) { return exact_step(u).value; }
-[[gnu::noipa]] ValueAndSlope<float> called_step(float u) { return exact_step(u); }
-[[gnu::noipa]] float called_potential_value(float u) { return exact_potential(u).value; }
-[[gnu::noipa]] ValueAndSlope<float> called_potential(float u) { return exact_potential(u); }
 
 bool failed = false;
 
-constexpr size_t kNameWidth = 40, kCountWidth = 8;
+struct Cost {
+  uint32_t value;
+  uint32_t both;
+};
 
+void write_padded(const char* text, size_t width) {
+  board::write(text);
+  size_t length = 0;
+  while (text[length] != '\0') ++length;
+  for (; length < width; ++length) board::write(" ");
+}
 void write_right_aligned(uint32_t number, size_t width) {
   size_t digits = 1;
   for (uint32_t rest = number; rest >= 10; rest /= 10) ++digits;
@@ -100,43 +74,49 @@ void write_right_aligned(uint32_t number, size_t width) {
   board::write_decimal(number);
 }
 
-void write_row(const char* name, uint32_t value, uint32_t value_and_slope) {
-  size_t length = 0;
-  while (name[length] != '\0') ++length;
-  board::write(name);
-  for (; length < kNameWidth; ++length) board::write(" ");
-  write_right_aligned(value, kCountWidth);
-  write_right_aligned(value_and_slope, kCountWidth);
+void write_row(const char* name, Cost cost) {
+  write_padded(name, 40);
+  write_right_aligned(cost.value, 7);
+  write_right_aligned(cost.both, 7);
   board::write("\n");
-  if (value == 0 || value_and_slope == 0) {
+  if (cost.value == 0 || cost.both == 0) {
     board::write("  0 is no count: a measurement failed\n");
     failed = true;
   }
 }
 
-// One row: a name and the kernel without and with slope, of a fixed-point or a float argument; lambdas both.
-template <class Value, class Both>
-void fixed_row(const char* name, Value value, Both both) {
-  write_row(name, board::worst_instruction_count(value, fixed_argument, kArguments),
-            board::worst_instruction_count(both, fixed_argument, kArguments));
+// A kernel without and with slope, over arguments of its own kind; lambdas both.
+template <class Value, class Both> Cost fixed_cost(Value value, Both both, uint32_t (*argument)(uint32_t) = table_argument) {
+  return {board::worst_instruction_count(value, argument, kArguments), board::worst_instruction_count(both, argument, kArguments)};
 }
-template <class Value, class Both>
-void float_row(const char* name, Value value, Both both) {
-  write_row(name, board::worst_instruction_count(value, float_argument, kFloatArguments),
-            board::worst_instruction_count(both, float_argument, kFloatArguments));
+template <class Value, class Both> Cost float_cost(Value value, Both both) {
+  return {board::worst_instruction_count(value, float_argument, kFloatArguments),
+          board::worst_instruction_count(both, float_argument, kFloatArguments)};
 }
+
+template <int degree, int bits> Cost table_cost() {
+  return fixed_cost([](uint32_t t) { return sample_table<false>(kStep<degree, bits>.view(), t).value.raw(); },
+                    [](uint32_t t) { return words_of(sample_table<true>(kStep<degree, bits>.view(), t)); });
+}
+
+#define NEARFIELD_FUNCTION_COST(function)                                        \
+  float_cost([](float x) { return straightforward::function<false>(x).value; },  \
+             [](float x) {                                                       \
+               const straightforward::Jet jet = straightforward::function<true>(x); \
+               return ValueAndSlope<float>{jet.value, jet.slope};                \
+             })
 
 bool near(float a, float b, float tolerance) { return a - b < tolerance && b - a < tolerance; }
 
 // Whether a table is near the function that stands for it in float, within its range.
-template <class Exact>
-void check(const char* name, const TableView<Q>& table, Exact exact) {
+template <class Table, class Exact>
+void check(const char* name, const Table& table, Exact exact, float value_tolerance, float slope_tolerance) {
   for (uint32_t i = 0; i < kArguments; ++i) {
-    const uint32_t argument = fixed_argument(i);
-    const ValueAndSlope<int32_t> sampled = sample_called<true>(table, argument);
-    const ValueAndSlope<float> expected = exact(static_cast<float>(argument) * (1.0f / 2147483648.0f));
-    if (near(static_cast<float>(sampled.value) * (1.0f / 1073741824.0f), expected.value, 1e-4f) &&
-        near(static_cast<float>(sampled.slope) * (1.0f / 134217728.0f), expected.slope, 1e-2f)) {
+    const uint32_t argument = table_argument(i);
+    const ValueAndSlope<int32_t> sampled = words_of(sample_table<true>(table.view(), argument));
+    const straightforward::Jet expected = exact(static_cast<float>(argument) * (1.0f / 2147483648.0f));
+    if (near(static_cast<float>(sampled.value) * (1.0f / 1073741824.0f), expected.value, value_tolerance) &&
+        near(static_cast<float>(sampled.slope) * (1.0f / 134217728.0f), expected.slope, slope_tolerance)) {
       continue;
     }
     board::write(name);
@@ -146,41 +126,73 @@ void check(const char* name, const TableView<Q>& table, Exact exact) {
   }
 }
 
+// KW, Table 1: efficiency relative to the cubic polynomial in r^2, in tenths.
+void write_comparison(const char* name, Cost direct, Cost cubic, Cost table) {
+  write_padded(name, 34);
+  write_right_aligned(direct.both, 7);
+  const uint32_t tenths = cubic.both == 0 ? 0 : (10 * direct.both + cubic.both / 2) / cubic.both;
+  write_right_aligned(tenths / 10, 6);
+  board::write(".");
+  board::write_decimal(tenths % 10);
+  write_right_aligned(table.both, 9);
+  board::write("\n");
+}
+
 }  // namespace
 
 int main() {
   if (!board::prepare_instruction_counter()) return 1;
-  step_view = at_run_time(kStep.view());
-  float_step_view = at_run_time(kFloatStep.view());
+  step_view = at_run_time(kStep<3, 32>.view());
 
-  board::write("worst instructions of each kernel on " NEARFIELD_CORE ": value, value and slope\n");
-  fixed_row(
-      "cubic table, 32 bits, in line",
-      [](uint32_t t) { return words_of(sample_table<false>(kStep.view(), t)).value; },
-      [](uint32_t t) { return words_of(sample_table<true>(kStep.view(), t)); });
-  fixed_row(
-      "cubic table, 32 bits, called", [](uint32_t t) { return sample_called<false>(step_view, t); },
-      [](uint32_t t) { return sample_called<true>(step_view, t); });
-  float_row(
-      "cubic table, float, in line",
-      [](float t) { return words_of(sample_table<false>(kFloatStep.view(), t)).value; },
-      [](float t) { return words_of(sample_table<true>(kFloatStep.view(), t)); });
-  float_row(
-      "cubic table, float, called", [](float t) { return sample_called<false>(float_step_view, t); },
-      [](float t) { return sample_called<true>(float_step_view, t); });
-  float_row(
-      "step H_3 by its pieces, float, in line", [](float u) { return exact_step(u).value; },
-      [](float u) { return exact_step(u); });
-  float_row(
-      "step H_3 by its pieces, float, called", [](float u) { return called_step_value(u); },
-      [](float u) { return called_step(u); });
-  float_row(
-      "Wyvill potential, float, in line", [](float u) { return exact_potential(u).value; },
-      [](float u) { return exact_potential(u); });
-  float_row(
-      "Wyvill potential, float, called", [](float u) { return called_potential_value(u); },
-      [](float u) { return called_potential(u); });
+  board::write("worst instructions in line on " NEARFIELD_CORE ": value, value and slope\n");
+  const Cost table = table_cost<3, 32>();
+  write_row("cubic table, 32 bits", table);
+  write_row("quadratic table, 32 bits", table_cost<2, 32>());
+  write_row("linear table, 32 bits", table_cost<1, 32>());
+  const Cost short_table = table_cost<3, 16>();
+  write_row("cubic table, 16 bits", short_table);
+  write_row("quadratic table, 16 bits", table_cost<2, 16>());
+  write_row("linear table, 16 bits", table_cost<1, 16>());
+  write_row("cubic table of a program, called",
+            fixed_cost([](uint32_t t) { return value_called(step_view, t); }, [](uint32_t t) { return both_called(step_view, t); }));
+  write_row("mirrored curve at its own argument",
+            fixed_cost([](uint32_t t) { return kMirroredStep.sample<false>(Q::from_raw(static_cast<int32_t>(t))).value.raw(); },
+                       [](uint32_t t) {
+                         const auto sample = kMirroredStep.sample(Q::from_raw(static_cast<int32_t>(t)));
+                         return ValueAndSlope<int32_t>{sample.value.raw(), sample.slope.raw()};
+                       },
+                       step_argument));
+  write_row("cubic table, float",
+            float_cost([](float t) { return sample_table<false>(kFloatStep.view(), t).value; },
+                       [](float t) { return words_of(sample_table<true>(kFloatStep.view(), t)); }));
 
-  check("step", step_view, exact_step);
+  const Cost wyvill = NEARFIELD_FUNCTION_COST(wyvill), spline = NEARFIELD_FUNCTION_COST(natural_spline);
+  const Cost bezier = NEARFIELD_FUNCTION_COST(bezier), bspline = NEARFIELD_FUNCTION_COST(bspline);
+  const Cost arctangent = NEARFIELD_FUNCTION_COST(arctangent), parametric = NEARFIELD_FUNCTION_COST(parametric_bezier);
+  write_row("float: step H_3 by its pieces", NEARFIELD_FUNCTION_COST(polynomial_step));
+  write_row("float: rising cutoff R_2", NEARFIELD_FUNCTION_COST(rising_cutoff));
+  write_row("float: logistic step", NEARFIELD_FUNCTION_COST(logistic));
+  write_row("float: cubic potential", NEARFIELD_FUNCTION_COST(cubic));
+  write_row("float: Wyvill potential, of r^2", wyvill);
+  write_row("float: Blanc potential, of r^2", NEARFIELD_FUNCTION_COST(blanc));
+  write_row("float: natural spline, 5 points", spline);
+  write_row("float: Bezier, degree 5", bezier);
+  write_row("float: B-spline, degree 3, 3 knots", bspline);
+  write_row("float: arctangent", arctangent);
+  write_row("float: parametric Bezier", parametric);
+
+  board::write("value and slope: direct in float, relative to the cubic in r^2, any of them as a table\n");
+  write_comparison("cubic polynomial in r^2", wyvill, wyvill, table);
+  write_comparison("interpolating cubic spline", spline, wyvill, table);
+  write_comparison("nonparametric Bezier curve", bezier, wyvill, table);
+  write_comparison("nonparametric B-spline", bspline, wyvill, table);
+  write_comparison("arctangent", arctangent, wyvill, table);
+  write_comparison("parametric spline", parametric, wyvill, table);
+
+  const auto exact = [](float u) { return straightforward::polynomial_step<true>(u); };
+  check("cubic, 32 bits", kStep<3, 32>, exact, 1e-4f, 1e-2f);
+  check("cubic, 16 bits", kStep<3, 16>, exact, 2e-4f, 2e-2f);
+  check("quadratic, 32 bits", kStep<2, 32>, exact, 1e-3f, 5e-2f);
+  check("linear, 32 bits", kStep<1, 32>, exact, 3e-3f, 2e-1f);
   return failed ? 1 : 0;
 }

@@ -104,7 +104,7 @@ template <class S> std::optional<BakedCurve<S>> bake_curve(const AnyCurve& curve
   };
   with_format<S>(*shape, baked.layout.rising, bake_all);
   std::int32_t error = 0, slope_error = 0;
-  detail::state_curve_errors(baked.table_facts, baked.layout, error, slope_error);
+  detail::state_curve_errors(baked.table_facts, baked.layout, facts.middle_jump, error, slope_error);
   if (error == greatest_of<std::int32_t>) return std::nullopt;
   baked.error = error * detail::power_of_two(-30);
   baked.slope_error = slope_error * detail::power_of_two(-24);

@@ -29,6 +29,7 @@ struct CurveFacts {
   bool antisymmetric = false;      // about the middle of the range: f(m + t) + f(m - t) = before + after
   bool centred = false;            // halfway between `before` and `after` in the middle of the range
   double end_jump = 0.0;           // greatest jump at an end of the range (tails of functions that only approximate)
+  double middle_jump = 0.0;        // half the jump in the middle of the range, where the value lies between both sides
   int break_count = 0;             // between pieces, as fractions of the range, ascending
   double breaks[greatest_break_count] = {};
 

@@ -72,7 +72,7 @@ struct Arctangent {
 
   constexpr Differentiable inside(const Differentiable& r) const { return 0.5 - atan(c1 * (r - c2)) * (1.0 / kPi); }
   constexpr Differentiable operator()(const Differentiable& r) const {
-    return r.value < 0.0 ? 1.0 : r.value > 1.0 ? 0.0 : inside(r);
+    return outside(r) ? end_value(r) : inside(r);
   }
   constexpr CurveFacts facts() const {
     CurveFacts facts = potential_facts(-1, c2 == 0.5, c2 == 0.5);

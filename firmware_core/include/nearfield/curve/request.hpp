@@ -84,6 +84,7 @@ constexpr int greatest_segments(const TableRequest& request, int degree, int ste
 // that have kinks themselves, unless they are asked for.
 constexpr CandidateShapes candidate_shapes(const CurveFacts& facts, const TableRequest& request) {
   CandidateShapes candidates;
+  if (facts.middle_jump > request.greatest_error()) return candidates;
   for (int squared = 0; squared < 2; ++squared) {
     const TableParameter this_one = squared != 0 ? TableParameter::squared : TableParameter::direct;
     if (request.parameter != TableParameter::automatic && request.parameter != this_one) continue;

@@ -19,11 +19,15 @@ constexpr CurveFacts step_facts(int continuous_derivatives, bool antisymmetric) 
   return facts;
 }
 
-// H_0: 0, 1/2 at 0, 1. A jump: every table of it is wrong by up to 1 at the jump.
+// H_0: 0, 1/2 at 0, 1. Every table of it is wrong by 1/2 at 0 itself.
 struct Heaviside {
   static constexpr const char* name = "heaviside";
   constexpr Differentiable operator()(const Differentiable& t) const { return t.value < 0 ? 0.0 : t.value > 0 ? 1.0 : 0.5; }
-  constexpr CurveFacts facts() const { return step_facts(-1, true); }
+  constexpr CurveFacts facts() const {
+    CurveFacts facts = step_facts(-1, true);
+    facts.middle_jump = 0.5;
+    return facts;
+  }
   static constexpr Heaviside from(const ParameterValues*) { return {}; }
   constexpr const char* problem() const { return nullptr; }
 };
@@ -188,8 +192,8 @@ struct Logistic {
   double alpha = 16.0;
 
   constexpr Differentiable operator()(const Differentiable& t) const {
-    if (t.value < -1.0) return 0.0;
-    if (t.value > 1.0) return 1.0;
+    if (t.value <= -1.0) return 0.0;
+    if (t.value >= 1.0) return 1.0;
     return 1.0 / (1.0 + exp(-alpha * t));
   }
   // S_alpha(-1). Below a given tail from alpha = alpha_for_tail(tail) on.

@@ -89,13 +89,15 @@ constexpr BakedChunk<count, S, degree, bits> bake_chunk(const Form& form, const 
 }
 
 // The errors of the whole curve from those of its table: in the curve's own unit, the rounding of the argument included.
-template <class S> constexpr void state_curve_errors(const TableFacts& facts, const CurveLayout<S>& layout, int32_t& error,
-                                                     int32_t& slope_error) {
+template <class S>
+constexpr void state_curve_errors(const TableFacts& facts, const CurveLayout<S>& layout, double middle_jump, int32_t& error,
+                                  int32_t& slope_error) {
   const int64_t steepest = greatest_of_two(int64_t{facts.greatest_slope}, -int64_t{facts.least_slope});  // Q24
   const bool unusable = facts.error == greatest_of<int32_t>;
   // Arguments are within 2^-28 of their range (float: 2^-22).
   const int64_t argument_error = ScalarTraits<S>::is_fixed ? (steepest >> 22) + 1 : (steepest >> 16) + 1;
-  error = unusable ? greatest_of<int32_t> : to_int32(int64_t{facts.error} + argument_error);
+  error = unusable ? greatest_of<int32_t>
+                   : to_int32(int64_t{facts.error} + argument_error + round_to_integer(middle_jump * 1073741824.0));
   const double reach = layout.shape.over_square ? 2.0 * ScalarTraits<S>::to_double(layout.placement.to) : 1.0;
   const double slope = facts.slope_error * layout.slope_factor * reach;
   slope_error = unusable ? greatest_of<int32_t> : round_up(slope + 4.0, 1.0);
@@ -176,7 +178,7 @@ template <class S, const auto& curve, class Request> struct Tabulation {
     Deviation worst;
     fill<>(result, worst);
     result.table.facts = facts_with_errors(result.table.view(), shape.segments, worst, layout.usable, layout.scale);
-    state_curve_errors(result.table.facts, layout, result.error, result.slope_error);
+    state_curve_errors(result.table.facts, layout, facts.middle_jump, result.error, result.slope_error);
     return result;
   }
 };
