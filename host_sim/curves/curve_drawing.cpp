@@ -9,6 +9,8 @@ namespace {
 
 constexpr int samples_of_a_range = 4000;
 constexpr double margin_of_a_range = 0.04;
+// Longer titles would be too small to read.
+constexpr std::size_t longest_title = 90;
 
 // The three series of a picture while they grow.
 struct Series {
@@ -52,22 +54,22 @@ std::vector<double> ends_of_pieces(const CurveFacts& facts) {
   return ends;
 }
 
-std::string sentence(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text + ".";
-}
+bool has_long_title(const CurveStudy& study) { return headline_of(study).size() > longest_title; }
 
 std::vector<std::string> captions_of(const CurveStudy& study) {
   std::vector<std::string> captions;
-  const std::string missed = missed_error_of(study);
-  if (!missed.empty()) captions.push_back(sentence(missed));
-  if (!study.table) return captions;
+  if (has_long_title(study)) captions.push_back(study.configured.parameters + ".");
+  if (!study.table) {
+    captions.push_back("Drawn without a table: " + missed_error_of(study) + ".");
+    return captions;
+  }
   const StudiedTable& table = *study.table;
-  captions.push_back(sentence("table: " + type_name(study.scalar) + ", " + table_in_words(study) + ", coefficients of " +
-                              std::to_string(table.shape.bits) + " bits" +
-                              (table.mirrored ? ", half of the range, the other half mirrored" : "")));
-  captions.push_back(sentence("|table - exact| at most " + error_in_words(table.error) + ", slope within " +
-                              error_in_words(table.slope_error)));
+  captions.push_back("Table: " + type_name(study.scalar) + ", " + table_in_words(study) + ", coefficients of " +
+                     std::to_string(table.shape.bits) + " bits" +
+                     (table.mirrored ? ", half of the range, the other half mirrored." : "."));
+  captions.push_back("|table − exact| at most " + error_in_words(table.error) + ", slope within " +
+                     error_in_words(table.slope_error) + ".");
+  if (!study.within_error) captions.push_back("As near as it gets: " + missed_error_of(study) + ".");
   return captions;
 }
 
@@ -78,7 +80,7 @@ draw::CurvePicture picture_of(const CurveStudy& study) {
   const CurveFacts facts = curve.facts();
   const double length = facts.to - facts.from;
   draw::CurvePicture picture;
-  picture.title = headline_of(study);
+  picture.title = has_long_title(study) ? study.configured.name : headline_of(study);
   picture.captions = captions_of(study);
   picture.argument = study.argument_name();
   picture.function = study.function_name();

@@ -31,7 +31,7 @@ std::string smoothness(const CurveFacts& facts) {
 }
 
 std::string order(int vanishing_derivatives) {
-  if (vanishing_derivatives <= 0) return "0: the slope at the ends of the range does not vanish";
+  if (vanishing_derivatives <= 0) return "0: no derivative need vanish at the ends of the range";
   if (vanishing_derivatives == 1) return "1: the first derivative vanishes at both ends of the range";
   return std::to_string(vanishing_derivatives) + ": that many derivatives vanish at both ends of the range";
 }
@@ -90,21 +90,22 @@ std::string facts_of_table(const CurveStudy& study) {
   text += fact("bytes", std::to_string(table.shape.bytes()) + ", coefficients of " + std::to_string(table.shape.bits) + " bits");
   text += fact("argument", std::string(study.argument_name()) + (table.shape.over_square ? "^2" : "") +
                                (table.mirrored ? ", upper half of the range, the lower mirrored" : ", all of the range"));
-  text += fact("error", "at most " + error_in_words(table.error));
+  const bool jumps = study.curve().facts().continuous_derivatives < 0;
+  text += fact("error", "at most " + error_in_words(table.error) + (jumps ? ", but for the jumps" : ""));
   text += fact("slope error", "at most " + error_in_words(table.slope_error) + " per unit of " + study.argument_name() +
                                   ", where there is a slope");
   return text;
 }
 
 std::string samples_of(const CurveStudy& study, int count) {
-  std::string text = formatted("%12s %13s", study.argument_name(), "exact");
-  text += study.table ? formatted(" %13s %10s %13s %13s %10s\n", "table", "error", "exact slope", "table slope", "error")
-                      : formatted(" %13s\n", "exact slope");
+  std::string text = formatted("%10s %12s", study.argument_name(), "exact");
+  text += study.table ? formatted(" %12s %9s %12s %12s %9s\n", "table", "error", "exact slope", "table slope", "error")
+                      : formatted(" %12s\n", "exact slope");
   for (const CurveRow& row : rows_of(study, count)) {
-    text += formatted("%12.9f %13.9f", row.argument, row.exact.value);
-    text += row.table ? formatted(" %13.9f %10.2e %13.7f %13.7f %10.2e\n", row.table->value, row.error(), row.exact.first,
+    text += formatted("%10.7f %12.9f", row.argument, row.exact.value);
+    text += row.table ? formatted(" %12.9f %9.1e %12.6f %12.6f %9.1e\n", row.table->value, row.error(), row.exact.first,
                                   row.table->slope, row.slope_error())
-                      : formatted(" %13.7f\n", row.exact.first);
+                      : formatted(" %12.6f\n", row.exact.first);
   }
   return text;
 }
