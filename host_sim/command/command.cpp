@@ -21,6 +21,7 @@ const std::vector<Verb>& verbs() {
       {"sim", run_sim, "simulate a robot arm in a work cell with a person"},
       {"check", run_check, "clearances of a robot in the starts and goals of planning problems"},
       {"bake", run_bake, "write a work cell as C++ source for a target's flash"},
+      {"curve", run_curve, "step and potential curves beside their tables: values, errors, pictures"},
   };
   return all;
 }

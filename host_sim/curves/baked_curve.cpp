@@ -32,23 +32,26 @@ template <class S, int degree, int bits> TableView<S, degree, bits> view_of(cons
 template <class S> std::optional<TableShape> choose(const AnyCurve& curve, const CurveFacts& facts, const TableRequest& request) {
   const bool monotone = facts.direction != Direction::none;
   const double limit = request.greatest_error() - detail::rounding_of_value<S>(request.bits);
+  const double rounding = detail::rounding_of_value<S>(request.bits);
   const CandidateShapes candidates = candidate_shapes(facts, request);
+  const auto deviation_of = [&](const TableShape& shape) {
+    const auto form = tabulated_form(curve, facts, shape.over_square);
+    const double argument_error = detail::argument_error_of<S>(form.start, form.length);
+    return deviation_of_shape(form, shape, monotone, argument_error, 0, shape.segments, limit).total();
+  };
   std::optional<TableShape> best;
   double least = 0.0;
   // Backwards, so that of equally good ones the first stays, as in tabulate().
   for (int i = candidates.count - 1; i >= 0 && request.log2_error == 0; --i) {
     const TableShape& shape = candidates.shapes[i];
-    const auto form = tabulated_form(curve, facts, shape.over_square);
-    const double deviation = deviation_of_shape(form, shape, monotone, 0, shape.segments, limit).value;
-    if (!best || deviation <= least) {
+    const double deviation = deviation_of(shape);
+    if (!best || detail::no_worse(deviation, least, rounding)) {
       best = shape;
       least = deviation;
     }
   }
   for (int i = 0; i < candidates.count && request.log2_error > 0; ++i) {
-    const TableShape& shape = candidates.shapes[i];
-    const auto form = tabulated_form(curve, facts, shape.over_square);
-    if (deviation_of_shape(form, shape, monotone, 0, shape.segments, limit).value <= limit) return shape;
+    if (deviation_of(candidates.shapes[i]) <= limit) return candidates.shapes[i];
   }
   return best;
 }
@@ -75,23 +78,26 @@ template <class S> std::optional<BakedCurve<S>> bake_curve(const AnyCurve& curve
 
   const auto form = tabulated_form(curve, facts, shape->over_square);
   std::vector<detail::SegmentEnds> ends;
-  double steepest = 0.0, tallest = 0.0;
+  double steepest = 0.0, sharpest = 0.0, tallest = 0.0;
   for (int i = 0; i < shape->segments; ++i) {
     const auto surveyed = detail::survey<1>(form, *shape, i, monotone);
     ends.push_back(surveyed.ends[0]);
     steepest = greatest_of_two(steepest, surveyed.steepest);
+    sharpest = greatest_of_two(sharpest, surveyed.sharpest);
     tallest = greatest_of_two(tallest, surveyed.tallest);
   }
   BakedCurve<S> baked;
-  baked.layout = detail::layout_of<S>(facts, *shape, form.start, form.length, steepest, tallest);
+  baked.layout = detail::layout_of<S>(facts, *shape, form.start, form.length, steepest, sharpest, tallest);
   if (!baked.layout.usable) return std::nullopt;
   baked.slope_headroom = baked.layout.scale.slope_headroom;
 
   detail::Deviation worst;
   const auto bake_all = [&](auto degree, auto bits, auto rising) {
+    detail::KnotAim aim;
     for (int i = 0; i < shape->segments; ++i) {
       const auto segment = detail::bake_segment<S, degree.value, bits.value, rising.value != 0>(
-          form, *shape, i, ends[static_cast<std::size_t>(i)], baked.layout.scale);
+          form, *shape, i, ends[static_cast<std::size_t>(i)], baked.layout.scale, aim);
+      aim = segment.next;
       for (const auto word : segment.words) {
         if constexpr (bits.value == 16) baked.narrow.push_back(word);
         else baked.wide.push_back(word);

@@ -20,7 +20,7 @@ class AnyCurve {
         problem_(curve_problem(curve)),
         // What is wrong may be what its facts would be computed from.
         facts_(problem_ == nullptr ? curve_facts(curve) : CurveFacts{}),
-        points_(control_points_of(curve)) {}
+        points_(problem_ == nullptr ? control_points_of(curve) : ControlPoints{}) {}
 
   Differentiable operator()(const Differentiable& x) const { return evaluate_(x); }
   CurveFacts facts() const { return facts_; }

@@ -46,9 +46,9 @@ void add_constant(Series& series, double from, double to, double value) {
 
 std::vector<double> ends_of_pieces(const CurveFacts& facts) {
   std::vector<double> ends{facts.from};
-  for (int i = 0; i < facts.break_count; ++i) ends.push_back(facts.from + facts.breaks[i] * (facts.to - facts.from));
-  // What jumps inside its range does so in the middle.
-  if (facts.continuous_derivatives < 0 && facts.end_jump == 0.0) ends.push_back(facts.middle());
+  for (int i = 0; i < facts.break_count; ++i)
+    ends.push_back(facts.from + facts.breaks[i] * (facts.to - facts.from));
+  if (facts.middle_jump > 0.0) ends.push_back(facts.middle());
   ends.push_back(facts.to);
   std::sort(ends.begin(), ends.end());
   return ends;
@@ -64,11 +64,12 @@ std::vector<std::string> captions_of(const CurveStudy& study) {
     return captions;
   }
   const StudiedTable& table = *study.table;
-  captions.push_back("Table: " + type_name(study.scalar) + ", " + table_in_words(study) + ", coefficients of " +
-                     std::to_string(table.shape.bits) + " bits" +
+  captions.push_back("Table: " + type_name(study.scalar) + ", " + table_in_words(study) +
+                     ", coefficients of " + std::to_string(table.shape.bits) + " bits" +
                      (table.mirrored ? ", half of the range, the other half mirrored." : "."));
-  captions.push_back("|table − exact| at most " + error_in_words(table.error) + ", slope within " +
-                     error_in_words(table.slope_error) + ".");
+  captions.push_back(
+      "|table − exact| at most " + error_in_words(table.error) +
+      (table.slope_error < 127.9 ? ", slope within " + error_in_words(table.slope_error) + "." : "."));
   if (!study.within_error) captions.push_back("As near as it gets: " + missed_error_of(study) + ".");
   return captions;
 }
@@ -99,7 +100,8 @@ draw::CurvePicture picture_of(const CurveStudy& study) {
   const ControlPoints points = curve.control_points();
   for (int i = 0; i < points.count; ++i) picture.control_points.push_back({points.x[i], points.y[i]});
   if (study.table) {
-    for (const CurveRow& row : rows_of(study, samples_of_a_range + 1)) picture.errors.push_back({row.argument, row.error()});
+    for (const CurveRow& row : rows_of(study, samples_of_a_range + 1))
+      picture.errors.push_back({row.argument, row.error()});
     picture.error_bound = study.table->error;
     picture.knots = study.table->knots;
   }

@@ -20,14 +20,25 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   return {buffer, static_cast<std::size_t>(std::clamp(length, 0, static_cast<int>(sizeof buffer) - 1))};
 }
 
-std::string fact(const char* name, const std::string& text) { return formatted("  %-15s", name) + text + "\n"; }
+std::string fact(const char* name, const std::string& text) {
+  return formatted("  %-15s", name) + text + "\n";
+}
 
 std::string six_digits(double value) { return formatted("%.6g", value); }
 
+std::string slope_error_in_words(const StudiedTable& table, const char* argument) {
+  if (table.slope_error >= 127.9) return "above 128 per unit of " + std::string(argument) + ", not stated";
+  return "at most " + error_in_words(table.slope_error) + " per unit of " + argument +
+         ", where there is a slope";
+}
+
 std::string smoothness(const CurveFacts& facts) {
-  if (facts.continuous_derivatives < 0) return facts.end_jump > 0.0 ? "jumps at the ends of its range" : "jumps inside its range";
+  if (facts.continuous_derivatives < 0) {
+    return facts.middle_jump > 0.0 ? "jumps in the middle of its range" : "jumps at the ends of its range";
+  }
   if (facts.continuous_derivatives >= kInfinitelySmooth) return "C^infinity";
-  return "C^" + std::to_string(facts.continuous_derivatives) + (facts.continuous_derivatives == 0 ? ", kinks in its slope" : "");
+  return "C^" + std::to_string(facts.continuous_derivatives) +
+         (facts.continuous_derivatives == 0 ? ", kinks in its slope" : "");
 }
 
 std::string order(int vanishing_derivatives) {
@@ -37,7 +48,8 @@ std::string order(int vanishing_derivatives) {
 }
 
 std::string symmetry(const CurveFacts& facts) {
-  const std::string middle = format_number(facts.middle()), half = format_number(0.5 * (facts.before + facts.after));
+  const std::string middle = format_number(facts.middle()),
+                    half = format_number(0.5 * (facts.before + facts.after));
   if (facts.antisymmetric) return "antisymmetric about (" + middle + ", " + half + ")";
   if (facts.centred) return "none, but centred: " + half + " at " + middle;
   return "none, and not centred";
@@ -46,7 +58,8 @@ std::string symmetry(const CurveFacts& facts) {
 std::string pairs(const ControlPoints& points) {
   std::string text;
   for (int i = 0; i < points.count; ++i) {
-    text += std::string(i > 0 ? " " : "") + "(" + six_digits(points.x[i]) + ", " + six_digits(points.y[i]) + ")";
+    text +=
+        std::string(i > 0 ? " " : "") + "(" + six_digits(points.x[i]) + ", " + six_digits(points.y[i]) + ")";
   }
   return text;
 }
@@ -64,15 +77,19 @@ std::string facts_of_curve(const CurveStudy& study) {
   std::string text = headline_of(study) + "\n";
   text += fact("family", study.configured.family == CurveFamily::step ? "unit step" : "potential");
   text += fact("range", std::string(study.argument_name()) + " from " + format_number(facts.from) + " to " +
-                            format_number(facts.to) + "; below it " + format_number(facts.before) + ", above it " +
-                            format_number(facts.after));
+                            format_number(facts.to) + "; below it " + format_number(facts.before) +
+                            ", above it " + format_number(facts.after));
   text += fact("direction", facts.direction == Direction::rising    ? "rising"
                             : facts.direction == Direction::falling ? "falling"
                                                                     : "not known to be monotone");
   text += fact("smoothness", smoothness(facts));
   text += fact("order", order(facts.vanishing_derivatives));
   text += fact("symmetry", symmetry(facts));
-  if (facts.end_jump > 0.0) text += fact("jump", "up to " + six_digits(facts.end_jump) + " at an end of the range");
+  if (facts.end_jump > 0.0)
+    text += fact("jump", "up to " + six_digits(facts.end_jump) + " at an end of the range");
+  if (facts.middle_jump > 0.0) {
+    text += fact("jump", six_digits(2.0 * facts.middle_jump) + " at " + format_number(facts.middle()));
+  }
   if (facts.break_count > 0) text += fact("pieces meet at", break_places(facts));
   const ControlPoints points = study.curve().control_points();
   if (points.count > 0) text += fact("control points", pairs(points));
@@ -86,25 +103,27 @@ std::string facts_of_table(const CurveStudy& study) {
   if (!study.table) return text;
   const StudiedTable& table = *study.table;
   text += fact("table", type_name(study.scalar) + ", degree " + std::to_string(table.shape.degree) + ", " +
-                            std::to_string(table.shape.segments) + (table.shape.segments == 1 ? " segment" : " segments"));
-  text += fact("bytes", std::to_string(table.shape.bytes()) + ", coefficients of " + std::to_string(table.shape.bits) + " bits");
-  text += fact("argument", std::string(study.argument_name()) + (table.shape.over_square ? "^2" : "") +
-                               (table.mirrored ? ", upper half of the range, the lower mirrored" : ", all of the range"));
-  const bool jumps = study.curve().facts().continuous_derivatives < 0;
-  text += fact("error", "at most " + error_in_words(table.error) + (jumps ? ", but for the jumps" : ""));
-  text += fact("slope error", "at most " + error_in_words(table.slope_error) + " per unit of " + study.argument_name() +
-                                  ", where there is a slope");
+                            std::to_string(table.shape.segments) +
+                            (table.shape.segments == 1 ? " segment" : " segments"));
+  text += fact("bytes", std::to_string(table.shape.bytes()) + ", coefficients of " +
+                            std::to_string(table.shape.bits) + " bits");
+  text += fact("argument",
+               std::string(study.argument_name()) + (table.shape.over_square ? "^2" : "") +
+                   (table.mirrored ? ", upper half of the range, the lower mirrored" : ", all of the range"));
+  text += fact("error", "at most " + error_in_words(table.error));
+  text += fact("slope error", slope_error_in_words(table, study.argument_name()));
   return text;
 }
 
 std::string samples_of(const CurveStudy& study, int count) {
   std::string text = formatted("%10s %12s", study.argument_name(), "exact");
-  text += study.table ? formatted(" %12s %9s %12s %12s %9s\n", "table", "error", "exact slope", "table slope", "error")
+  text += study.table ? formatted(" %12s %9s %12s %12s %9s\n", "table", "error", "exact slope", "table slope",
+                                  "error")
                       : formatted(" %12s\n", "exact slope");
   for (const CurveRow& row : rows_of(study, count)) {
     text += formatted("%10.7f %12.9f", row.argument, row.exact.value);
-    text += row.table ? formatted(" %12.9f %9.1e %12.6f %12.6f %9.1e\n", row.table->value, row.error(), row.exact.first,
-                                  row.table->slope, row.slope_error())
+    text += row.table ? formatted(" %12.9f %9.1e %12.6f %12.6f %9.1e\n", row.table->value, row.error(),
+                                  row.exact.first, row.table->slope, row.slope_error())
                       : formatted(" %12.6f\n", row.exact.first);
   }
   return text;
@@ -128,15 +147,16 @@ std::string padded(std::string text, std::size_t width) {
 }  // namespace
 
 std::string headline_of(const CurveStudy& study) {
-  return study.configured.name + (study.configured.parameters.empty() ? "" : ", " + study.configured.parameters);
+  return study.configured.name +
+         (study.configured.parameters.empty() ? "" : ", " + study.configured.parameters);
 }
 
 std::string table_in_words(const CurveStudy& study) {
   if (!study.table) return "no table";
   const TableShape& shape = study.table->shape;
   return "degree " + std::to_string(shape.degree) + ", " + std::to_string(shape.segments) +
-         (shape.segments == 1 ? " segment" : " segments") + " over " + study.argument_name() + (shape.over_square ? "^2" : "") +
-         ", " + std::to_string(shape.bytes()) + " bytes";
+         (shape.segments == 1 ? " segment" : " segments") + " over " + study.argument_name() +
+         (shape.over_square ? "^2" : "") + ", " + std::to_string(shape.bytes()) + " bytes";
 }
 
 std::string error_in_words(double error) {
@@ -144,9 +164,10 @@ std::string error_in_words(double error) {
 }
 
 std::string missed_error_of(const CurveStudy& study) {
-  const std::string table = study.request.segments != 0
-                                ? "no table of " + std::to_string(study.request.segments) + " segments"
-                                : "no table of at most " + std::to_string(study.request.greatest_bytes) + " bytes";
+  const std::string table =
+      study.request.segments != 0
+          ? "no table of " + std::to_string(study.request.segments) + " segments"
+          : "no table of at most " + std::to_string(study.request.greatest_bytes) + " bytes";
   if (!study.table) return table + " can hold this curve";
   if (study.within_error) return "";
   return table + " comes within 2^-" + std::to_string(study.request.log2_error) + "; the best reaches " +
@@ -158,7 +179,8 @@ std::string text_report_of(const CurveStudy& study, int count) {
 }
 
 std::string csv_report_of(const CurveStudy& study, int count) {
-  std::string text = "argument,exact,table,error,exact_slope,table_slope,slope_error,exact_second_derivative\n";
+  std::string text =
+      "argument,exact,table,error,exact_slope,table_slope,slope_error,exact_second_derivative\n";
   for (const CurveRow& row : rows_of(study, count)) {
     const auto of_table = [&row](double value) { return "," + (row.table ? format_number(value) : ""); };
     text += format_number(row.argument) + "," + format_number(row.exact.value);
@@ -187,9 +209,11 @@ std::string list_of_curves() {
       initial_width = std::max(initial_width, one.initial.size());
     }
   };
-  for (const CatalogueEntry& entry : curve_catalogue()) title_width = std::max(title_width, entry.name.size());
+  for (const CatalogueEntry& entry : curve_catalogue())
+    title_width = std::max(title_width, entry.name.size());
   for (const CatalogueEntry& entry : curve_catalogue()) {
-    add(padded(std::string(entry.name), title_width) + (entry.family == CurveFamily::step ? "step" : "potential") +
+    add(padded(std::string(entry.name), title_width) +
+            (entry.family == CurveFamily::step ? "step" : "potential") +
             (entry.parameters.empty() ? ", no parameters" : ""),
         entry.parameters);
   }
@@ -198,8 +222,8 @@ std::string list_of_curves() {
   for (const Block& block : blocks) {
     text += (text.empty() ? "" : "\n") + block.title + "\n";
     for (const ListedParameter& one : block.parameters) {
-      text += "  " + padded(one.name, name_width) + padded(one.allowed, allowed_width) + padded(one.initial, initial_width) +
-              one.meaning + "\n";
+      text += "  " + padded(one.name, name_width) + padded(one.allowed, allowed_width) +
+              padded(one.initial, initial_width) + one.meaning + "\n";
     }
   }
   return text;

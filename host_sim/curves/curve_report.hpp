@@ -16,15 +16,15 @@ std::string table_in_words(const CurveStudy& study);
 // `1.61e-07 = 2^-22.57`; `0` for 0.
 std::string error_in_words(double error);
 
-// That no table comes within the error asked for, and how near the best one comes; empty when one does. One line without
-// its end.
+// That no table comes within the error asked for, and how near the best one comes; empty when one does. One
+// line without its end.
 std::string missed_error_of(const CurveStudy& study);
 
 // Facts, table, stated errors and `count` samples.
 std::string text_report_of(const CurveStudy& study, int count);
 
-// argument, exact, table, error, exact_slope, table_slope, slope_error, exact_second_derivative; numbers that read back as
-// the same double. What concerns the table is empty where there is none.
+// argument, exact, table, error, exact_slope, table_slope, slope_error, exact_second_derivative; numbers that
+// read back as the same double. What concerns the table is empty where there is none.
 std::string csv_report_of(const CurveStudy& study, int count);
 
 // All curves with their parameters, a block each.

@@ -43,7 +43,8 @@ std::vector<std::string> separated_by_commas(const std::string& text) {
   return parts;
 }
 
-ParameterValues parsed_values(const CurveParameter& parameter, const std::string& path, const std::string& text) {
+ParameterValues parsed_values(const CurveParameter& parameter, const std::string& path,
+                              const std::string& text) {
   const std::vector<std::string> parts = separated_by_commas(text);
   const auto least = static_cast<std::size_t>(parameter.least_count);
   const auto greatest = static_cast<std::size_t>(parameter.greatest_count);
@@ -93,7 +94,8 @@ const std::vector<CurveParameter>& range_control_parameters() {
 std::string allowed_values(const CurveParameter& parameter) {
   if (!is_list(parameter)) return one_allowed_value(parameter);
   std::string count = std::to_string(parameter.least_count);
-  if (parameter.greatest_count != parameter.least_count) count += " to " + std::to_string(parameter.greatest_count);
+  if (parameter.greatest_count != parameter.least_count)
+    count += " to " + std::to_string(parameter.greatest_count);
   return count + (parameter.integer ? " whole numbers " : " numbers ") + describe(range_of(parameter));
 }
 
@@ -124,23 +126,27 @@ ConfiguredCurve configured_curve(const std::string& name, const std::vector<std:
     std::size_t which = 0;
     while (which < names.size() && names[which] != key) ++which;
     if (which == names.size()) {
-      refuse(name, unknown_name("parameter", key, names), names.empty() ? "it has none" : "it has " + joined(names));
+      refuse(name, unknown_name("parameter", key, names),
+             names.empty() ? "it has none" : "it has " + joined(names));
     }
     const std::string path = name + "." + key;
-    if (equals == std::string::npos) refuse(path, "no value", key + "=" + (is_list(parameters[which]) ? "VALUE,..." : "VALUE"));
+    if (equals == std::string::npos)
+      refuse(path, "no value", key + "=" + (is_list(parameters[which]) ? "VALUE,..." : "VALUE"));
     if (is_set[which]) refuse(path, "set twice", "each parameter is set once");
     is_set[which] = true;
     values[which] = parsed_values(parameters[which], path, setting.substr(equals + 1));
   }
 
-  const std::vector<ParameterValues> own_values(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(own_count));
+  const std::vector<ParameterValues> own_values(values.begin(),
+                                                values.begin() + static_cast<std::ptrdiff_t>(own_count));
   ConfiguredCurve configured{name, entry.family, "", entry.make(own_values)};
   std::size_t shown_count = own_count;
   if (own_count < parameters.size() && (is_set[own_count] || is_set[own_count + 1])) {
     const double w1 = values[own_count].number();
     // Left alone, w2 gives way to a smaller w1.
     if (!is_set[own_count + 1] && w1 < 1.0) values[own_count + 1].values[0] = w1;
-    configured.curve = AnyCurve(potential::with_range_control(configured.curve, w1, values[own_count + 1].number()));
+    configured.curve =
+        AnyCurve(potential::with_range_control(configured.curve, w1, values[own_count + 1].number()));
     shown_count = parameters.size();
   }
   if (const char* problem = configured.curve.problem()) refuse(name, problem, "");

@@ -24,9 +24,9 @@ std::string allowed_values(const CurveParameter& parameter);
 // Numbers as they are set: `0.5`, `1,1,0,0`.
 std::string settable_text(const double* values, int count);
 
-// The curve called `name`, each of `settings` a NAME=VALUE or NAME=VALUE,VALUE... for one of its parameters; the others
-// keep their initial values. InputError for a wrong name (it suggests the nearest), a wrong number of values, a value out
-// of range, and parameters that do not fit each other.
+// The curve called `name`, each of `settings` a NAME=VALUE or NAME=VALUE,VALUE... for one of its parameters;
+// the others keep their initial values. InputError for a wrong name (it suggests the nearest), a wrong number
+// of values, a value out of range, and parameters that do not fit each other.
 ConfiguredCurve configured_curve(const std::string& name, const std::vector<std::string>& settings);
 
 }  // namespace nearfield::host

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace nearfield::host {
 namespace {
 
-template <class S> struct TypeOf { using type = S; };
+template <class S>
+struct TypeOf {
+  using type = S;
+};
 
 // Calls work(TypeOf<S>) with the type of the scalar.
-template <class Work> auto with_type(CurveScalar scalar, const Work& work) {
+template <class Work>
+auto with_type(CurveScalar scalar, const Work& work) {
   switch (scalar) {
     case CurveScalar::q27:
       return work(TypeOf<Fixed<27>>{});
@@ -25,28 +28,24 @@ template <class Work> auto with_type(CurveScalar scalar, const Work& work) {
   return work(TypeOf<float>{});
 }
 
-// The nearest argument that S has, or if that is not within (low, high) the next one that is.
-template <class S> double nearest_within(double x, double low, double high) {
-  const double nearest = ScalarTraits<S>::to_double(S(static_cast<S>(x)));
-  if constexpr (ScalarTraits<S>::is_fixed) {
-    const double unit = detail::power_of_two(-S::fraction_bits);
-    return nearest <= low ? nearest + unit : nearest >= high ? nearest - unit : nearest;
-  } else {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    const float single = static_cast<float>(nearest);
-    // Zero's neighbours are too small to tell from it.
-    if (nearest <= low) return static_cast<double>(single == 0.0f ? 1e-12f : std::nextafter(single, infinity));
-    return nearest >= high ? static_cast<double>(std::nextafter(single, -infinity)) : nearest;
-  }
+// The next argument above x that S has; for float, zero's is a small one rather than the least there is.
+template <class S>
+double next_above(double x) {
+  if constexpr (ScalarTraits<S>::is_fixed)
+    return x + detail::power_of_two(-S::fraction_bits);
+  else
+    return x == 0.0 ? 0x1p-40 : static_cast<double>(std::nextafter(static_cast<float>(x), 1e30f));
 }
 
-double nearest_argument(const CurveStudy& study, double x, bool strictly_within) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const CurveFacts facts = study.curve().facts();
-  return with_type(study.scalar, [&](auto type) {
-    using S = typename decltype(type)::type;
-    return strictly_within ? nearest_within<S>(x, facts.from, facts.to) : nearest_within<S>(x, -infinity, infinity);
-  });
+// The nearest argument that S has. `within`: if that is an end of the range or beyond, its neighbour inside.
+template <class S>
+double nearest_argument(double x, const CurveFacts& facts, bool within) {
+  const auto rounded = [](double real) { return ScalarTraits<S>::to_double(S(static_cast<S>(real))); };
+  const double nearest = rounded(x), from = rounded(facts.from), to = rounded(facts.to);
+  if (within && nearest <= from) return next_above<S>(from);
+  // The neighbour below is the mirror image of the one above.
+  if (within && nearest >= to) return -next_above<S>(-to);
+  return nearest;
 }
 
 std::vector<double> knots_of(const AnyCurve& curve, const TableShape& shape, bool mirrored) {
@@ -62,7 +61,8 @@ std::vector<double> knots_of(const AnyCurve& curve, const TableShape& shape, boo
   return knots;
 }
 
-template <class S> StudiedTable studied(const AnyCurve& curve, BakedCurve<S> baked) {
+template <class S>
+StudiedTable studied(const AnyCurve& curve, BakedCurve<S> baked) {
   StudiedTable table;
   table.shape = baked.layout.shape;
   table.mirrored = baked.layout.placement.mirrored;
@@ -114,8 +114,13 @@ std::vector<CurveRow> rows_of(const CurveStudy& study, int count) {
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (count - 1);
     CurveRow row;
-    row.argument = nearest_argument(study, facts.from + share * (facts.to - facts.from), facts.end_jump > 0.0);
-    row.exact = study.curve()(Differentiable::argument(row.argument));
+    const double x = facts.from + share * (facts.to - facts.from);
+    row.argument = with_type(study.scalar, [&](auto type) {
+      return nearest_argument<typename decltype(type)::type>(x, facts, facts.end_jump > 0.0);
+    });
+    // The end of the range is where the scalar has it.
+    const bool at_end = i == count - 1 && !(facts.end_jump > 0.0);
+    row.exact = study.curve()(Differentiable::argument(at_end ? facts.to : row.argument));
     if (study.table) row.table = study.table->sample_at(row.argument);
     rows.push_back(row);
   }

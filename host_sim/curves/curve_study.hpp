@@ -16,10 +16,10 @@ enum class CurveScalar { q27, q24, q16, single };
 // A baked curve of any scalar.
 struct StudiedTable {
   TableShape shape;
-  bool mirrored = false;     // half of the range is stored
-  double error = 0.0;        // stated: greatest |table - exact|
-  double slope_error = 0.0;  // stated: per unit of the argument, where the curve has a slope
-  std::vector<double> knots; // ends of the segments, ascending, those of a mirrored half included
+  bool mirrored = false;      // half of the range is stored
+  double error = 0.0;         // stated: greatest |table - exact|
+  double slope_error = 0.0;   // stated: per unit of the argument, where the curve has a slope
+  std::vector<double> knots;  // ends of the segments, ascending, those of a mirrored half included
   std::function<BakedSample(double)> sample_at;  // at an argument that the scalar has
 };
 
@@ -52,8 +52,8 @@ struct CurveRow {
   double slope_error() const { return table ? table->slope - exact.first : 0.0; }
 };
 
-// `count` (two or more) of them from one end of the range to the other, evenly but for the rounding to the scalar. Where a
-// curve jumps at the ends of its range, the first and the last lie just within.
+// `count` (two or more) of them from one end of the range to the other, evenly but for the rounding to the
+// scalar. Where a curve jumps at the ends of its range, the first and the last lie just within.
 std::vector<CurveRow> rows_of(const CurveStudy& study, int count);
 
 }  // namespace nearfield::host

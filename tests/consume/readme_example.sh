@@ -19,7 +19,7 @@ fail() {
 awk '/^<!-- example: [a-z_.]+ -->$/ { name = "extracted/" $3; next }
      /^```/ { if (inside) { inside = 0; name = "" } else if (name != "") { inside = 1; printf "" >name }; next }
      inside { print >name }' "$page"
-for file in firmware.hpp image.hpp example.c answers.txt; do
+for file in firmware.hpp image.hpp curve.hpp example.c answers.txt; do
   [ -s "extracted/$file" ] || fail "README.md has no block <!-- example: $file -->"
 done
 grep -q static_assert extracted/firmware.hpp || fail "the example asserts nothing"
@@ -36,6 +36,10 @@ cxx_flags="-std=c++17 $warnings -I extracted -I $include"
 ./print_answers >printed.txt || fail "image, C and composition do not agree"
 diff -u extracted/answers.txt printed.txt || fail "README.md prints other answers than its example"
 
+cat extracted/firmware.hpp extracted/curve.hpp >curve.cpp
+# shellcheck disable=SC2086
+"$compiler" $cxx_flags -fsyntax-only curve.cpp
+
 # An assertion that is broken must not compile, or those of the page prove nothing.
 sed 's/\.gradient < [0-9]*/.gradient < 1/' extracted/firmware.hpp >broken.hpp
 # shellcheck disable=SC2086
@@ -47,12 +51,13 @@ if ! command -v arm-none-eabi-g++ >/dev/null 2>&1; then
   exit 0
 fi
 arm_flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft -O2 -ffreestanding -ffp-contract=off $warnings"
-cat extracted/firmware.hpp extracted/image.hpp >firmware.cpp
+cat extracted/firmware.hpp extracted/image.hpp extracted/curve.hpp >firmware.cpp
 cat >>firmware.cpp <<'END'
 Q speed_at(const nf::Vector3<Q>& tool) { return allowed_speed(tool); }
 nf::Clearance<Q> image_at(const void* image, size_t size, const nf::Vector3<Q>& p) {
   return clearance_in_image(image, size, p);
 }
+Q potential_at(Q r) { return own_potential(r); }
 END
 # shellcheck disable=SC2086
 arm-none-eabi-g++ -std=c++17 $arm_flags -nostdinc++ -fno-exceptions -fno-rtti -I "$include" -c firmware.cpp

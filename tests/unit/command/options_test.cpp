@@ -1,4 +1,5 @@
 // How the command is called: help, verbs, options and their values, names of files.
+#include "command/options.hpp"
 #include "command_runner.hpp"
 
 namespace nearfield::host {
@@ -12,7 +13,7 @@ TEST(CommandOptions, HelpTellsOfEveryVerb) {
     const Outcome outcome = folder.run({help});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
-    for (const char* verb : {"  sim ", "  check ", "  bake "})
+    for (const char* verb : {"  sim ", "  check ", "  bake ", "  curve "})
       EXPECT_NE(outcome.out.find(verb), std::string::npos);
   }
 }
@@ -23,7 +24,10 @@ TEST(CommandOptions, HelpOfAVerbTellsOfItsOptions) {
     std::vector<std::string> options;
   } const cases[] = {{"sim", {"scene", "robot", "srdf", "output", "duration", "help"}},
                      {"check", {"robot", "srdf", "problems", "json", "help"}},
-                     {"bake", {"scene", "robot", "srdf", "output", "help"}}};
+                     {"bake", {"scene", "robot", "srdf", "output", "help"}},
+                     {"curve",
+                      {"set", "list", "csv", "svg", "samples", "error", "bytes", "degree", "segments", "bits",
+                       "argument", "scalar", "help"}}};
   const ScratchFolder folder;
   for (const auto& [verb, options] : cases) {
     const Outcome outcome = folder.run({verb, "--help"});
@@ -35,6 +39,46 @@ TEST(CommandOptions, HelpOfAVerbTellsOfItsOptions) {
     }
   }
   EXPECT_TRUE(folder.everything().empty());
+}
+
+TEST(CommandOptions, RepeatableOptionsKeepEveryValueInOrder) {
+  const std::vector<OptionDescription> described = {{"set", "NAME=VALUE", "a parameter", true},
+                                                    {"size", "N", "how large"},
+                                                    {"flag", "", "yes"}};
+  const Options options(described,
+                        {"--set", "a=1", "--size=3", "--set=b=2", "--set", "--flag", "--set", "a=1"});
+  EXPECT_EQ(options.values("set"), (std::vector<std::string>{"a=1", "b=2", "--flag", "a=1"}));
+  EXPECT_EQ(options.value("set"), "a=1");
+  EXPECT_EQ(options.required("set"), "a=1");
+  EXPECT_EQ(options.values("size"), std::vector<std::string>{"3"});
+  EXPECT_TRUE(options.values("flag").empty());
+  EXPECT_FALSE(options.has("flag"));
+  EXPECT_EQ(options.value("flag"), std::nullopt);
+  const auto refused = [&described](const std::vector<std::string>& arguments) -> std::string {
+    try {
+      const Options ignored(described, arguments);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refused({"--size", "1", "--size", "1"}), "--size is given twice");
+  EXPECT_EQ(refused({"--flag", "--set", "a", "--flag"}), "--flag is given twice");
+  EXPECT_EQ(refused({"--set", "a", "--set"}), "--set needs a value: NAME=VALUE");
+}
+
+TEST(CommandOptions, OneOperandAnywhereWhereItIsAllowed) {
+  const std::vector<OptionDescription> described = {{"size", "N", "how large"}};
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"word", "--size", "3"}, {"--size", "3", "word"}, {"--size=3", "word"}}) {
+    const Options options(described, arguments, Operand::one);
+    EXPECT_EQ(options.operand(), "word");
+    EXPECT_EQ(options.value("size"), "3");
+    EXPECT_THROW(Options(described, arguments), UsageError);
+  }
+  EXPECT_EQ(Options(described, {"--size", "word"}, Operand::one).operand(), std::nullopt);
+  EXPECT_THROW(Options(described, {"word", "word"}, Operand::one), UsageError);
+  EXPECT_THROW(Options(described, {"-word"}, Operand::one), UsageError);
 }
 
 TEST(CommandOptions, WithoutAVerbThereIsUsageOnStandardError) {

@@ -64,7 +64,7 @@ struct ParametricBezierPoints {
       if (off > 0.0) high = t;
       else low = t;
       const double next = t - off / (3.0 * (s * s * r1 + 2.0 * s * t * (r2 - r1) + t * t * (1.0 - r2)));
-      const double taken = next > low && next < high ? next : 0.5 * (low + high);
+      const double taken = next >= low && next <= high ? next : 0.5 * (low + high);
       if (magnitude(taken - t) < 1e-16) break;
       t = taken;
     }

@@ -38,7 +38,8 @@ template <class Potential> struct RangeControlled {
   constexpr const char* problem() const {
     if (!(w1 > 0.0 && w1 <= 3.0)) return "w1 is above 0, at most 3";
     if (!(w2 > 0.0 && w2 <= 1.0 && w2 <= w1)) return "w2 is above 0, at most 1 and at most w1";
-    return potential.problem();
+    if (potential.problem() != nullptr) return potential.problem();
+    return potential.facts().end_jump > 0.0 ? "a potential that misses 1 or 0 at its ends has no range control" : nullptr;
   }
 };
 

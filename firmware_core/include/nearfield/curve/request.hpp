@@ -100,26 +100,25 @@ constexpr CandidateShapes candidate_shapes(const CurveFacts& facts, const TableR
       const int step = degree == 2 && aligned % 2 != 0 ? 2 * aligned : aligned;
       const int most = detail::greatest_segments(request, degree, step);
       if (most < step) continue;
-      if (request.log2_error > 0) {
-        for (int segments = step; segments < most; segments *= 2) candidates.add({degree, segments, request.bits, squared != 0});
-      }
+      for (int segments = step; segments < most; segments *= 2) candidates.add({degree, segments, request.bits, squared != 0});
       candidates.add({degree, most, request.bits, squared != 0});
     }
   }
   return candidates;
 }
 
-// The greatest deviation over segments first ... first + count - 1; stops at the first above `limit`.
+// The greatest deviations over segments first ... first + count - 1, with arguments rounded by `argument_error` of the
+// range; stops where the total is above `limit`.
 template <class Curve>
 constexpr detail::Deviation deviation_of_shape(const TabulatedForm<Curve>& form, const TableShape& shape, bool monotone,
-                                               int first, int count, double limit) {
+                                               double argument_error, int first, int count, double limit) {
   detail::Deviation worst;
   for (int i = first; i < first + count && i < shape.segments; ++i) {
     const detail::SegmentEnds ends = detail::segment_ends(form, shape, i, monotone);
     const detail::Polynomial polynomial = detail::polynomial_of(ends, shape.degree, 1.0 / shape.segments);
     const detail::Deviation here = detail::deviation_of(polynomial, form, i, shape.segments);
-    worst.include(here.value, here.slope);
-    if (!(worst.value <= limit)) return worst;
+    worst.include(here.value, here.slope, argument_error * polynomial.steepest());
+    if (!(worst.total() <= limit)) return worst;
   }
   return worst;
 }

@@ -16,6 +16,8 @@ template <class S> struct CurveLayout {
   bool rising = false;
   int slope_fraction_bits = 0;
   double slope_factor = 1.0;  // slopes of the curve per unit of its argument from slopes per unit argument of the table
+  double argument_error = 0.0;  // greatest rounding of the table's argument, as a fraction of its range
+  double sharpest = 0.0;        // bound of the second derivative over that range
   CurvePlacement<S> placement;
 };
 
@@ -29,15 +31,28 @@ inline constexpr int kSlopeHeadroom = 3;
 constexpr uint32_t as_fraction(double x, uint32_t) { return x == 1.0 ? 0u : static_cast<uint32_t>(x * 4294967296.0 + 0.5); }
 constexpr float as_fraction(double x, float) { return x == 1.0 ? 0.0f : static_cast<float>(x); }
 
+// Deviations below the kernel's rounding are as good as none.
+constexpr bool no_worse(double a, double b, double rounding) { return a <= greatest_of_two(b, rounding); }
+
 constexpr Deviation greater_of(const Deviation& a, const Deviation& b) {
   Deviation both = a;
-  both.include(b.value, b.slope);
+  both.include(b.value, b.slope, b.argument);
   return both;
+}
+
+// How far the argument of the table may be off, as a fraction of its range: products with reciprocals that are rounded
+// down, and the rounding of where the range begins and ends.
+template <class S> constexpr double argument_error_of(double start, double length) {
+  using T = ScalarTraits<S>;
+  const double end = start + length;
+  const double start_off = magnitude(T::to_double(S(static_cast<S>(start))) - start);
+  const double end_off = magnitude(T::to_double(S(static_cast<S>(end))) - end);
+  return (T::is_fixed ? 1.0 / 268435456.0 : 1.0 / 4194304.0) + 2.0 * (start_off + end_off) / length;
 }
 
 template <class S>
 constexpr CurveLayout<S> layout_of(const CurveFacts& facts, const TableShape& shape, double start, double length,
-                                   double steepest, double tallest) {
+                                   double steepest, double sharpest, double tallest) {
   CurveLayout<S> layout;
   layout.shape = shape;
   const int index_bits = index_bits_for(shape.segments);
@@ -46,6 +61,8 @@ constexpr CurveLayout<S> layout_of(const CurveFacts& facts, const TableShape& sh
   layout.scale = choice.scale;
   layout.usable = choice.usable;
   layout.rising = choice.scale.slope_headroom > index_bits;
+  layout.argument_error = argument_error_of<S>(start, length);
+  layout.sharpest = sharpest;
 
   CurvePlacement<S>& placement = layout.placement;
   placement.from = S(static_cast<S>(facts.from));
@@ -64,12 +81,13 @@ constexpr CurveLayout<S> layout_of(const CurveFacts& facts, const TableShape& sh
   // Over the square, P'(x) = 2 x P'(u) per unit of u.
   const double unit_length = shape.over_square ? length * length : length;
   layout.slope_factor = 1.0 / (choice.scale.per_unit * unit_length);
-  double stored = layout.slope_factor * (shape.over_square && ScalarTraits<S>::is_fixed ? 0.5 : 1.0);
-  layout.slope_fraction_bits = 30 - choice.scale.slope_headroom - (shape.over_square ? 1 : 0);
+  double stored = layout.slope_factor;
+  layout.slope_fraction_bits = 30 - choice.scale.slope_headroom;
   if constexpr (ScalarTraits<S>::is_fixed) {
-    for (; stored > 1.0; stored *= 0.5) --layout.slope_fraction_bits;
-    for (; stored <= 0.5; stored *= 2.0) ++layout.slope_fraction_bits;
-    // The factor 1/2 of squared tables is made good by doubling at the end.
+    // As many fraction bits as leave room for the steepest slope.
+    const double greatest = shape.over_square ? 0.5 / facts.to : 1.0;
+    for (; stored > greatest; stored *= 0.5) --layout.slope_fraction_bits;
+    for (; stored <= 0.5 * greatest; stored *= 2.0) ++layout.slope_fraction_bits;
   }
   placement.slope_factor = as_fraction(stored, Argument{});
   return layout;
@@ -80,10 +98,11 @@ template <int count, class S, int degree, int bits> struct BakedChunk {
 };
 template <int count, class S, int degree, int bits, bool rising, class Form>
 constexpr BakedChunk<count, S, degree, bits> bake_chunk(const Form& form, const CurveLayout<S>& layout, int first,
-                                                        const SegmentEnds* ends) {
+                                                        const SegmentEnds* ends, KnotAim aim) {
   BakedChunk<count, S, degree, bits> chunk;
   for (int i = 0; layout.usable && i < count && first + i < layout.shape.segments; ++i) {
-    chunk.segments[i] = bake_segment<S, degree, bits, rising>(form, layout.shape, first + i, ends[i], layout.scale);
+    chunk.segments[i] = bake_segment<S, degree, bits, rising>(form, layout.shape, first + i, ends[i], layout.scale, aim);
+    aim = chunk.segments[i].next;
   }
   return chunk;
 }
@@ -92,15 +111,15 @@ constexpr BakedChunk<count, S, degree, bits> bake_chunk(const Form& form, const 
 template <class S>
 constexpr void state_curve_errors(const TableFacts& facts, const CurveLayout<S>& layout, double middle_jump, int32_t& error,
                                   int32_t& slope_error) {
-  const int64_t steepest = greatest_of_two(int64_t{facts.greatest_slope}, -int64_t{facts.least_slope});  // Q24
-  const bool unusable = facts.error == greatest_of<int32_t>;
-  // Arguments are within 2^-28 of their range (float: 2^-22).
-  const int64_t argument_error = ScalarTraits<S>::is_fixed ? (steepest >> 22) + 1 : (steepest >> 16) + 1;
-  error = unusable ? greatest_of<int32_t>
-                   : to_int32(int64_t{facts.error} + argument_error + round_to_integer(middle_jump * 1073741824.0));
+  error = slope_error = greatest_of<int32_t>;
+  if (facts.error == greatest_of<int32_t>) return;
+  const double steepest = greatest_of_two(magnitude(facts.greatest_slope), magnitude(facts.least_slope)) / 16777216.0;
+  const double off = layout.argument_error / layout.scale.per_unit;
+  error = round_up(facts.error / 1073741824.0 + steepest * off + middle_jump, 1073741824.0);
   const double reach = layout.shape.over_square ? 2.0 * ScalarTraits<S>::to_double(layout.placement.to) : 1.0;
-  const double slope = facts.slope_error * layout.slope_factor * reach;
-  slope_error = unusable ? greatest_of<int32_t> : round_up(slope + 4.0, 1.0);
+  const double slope = facts.slope_error / 16777216.0 + layout.sharpest * layout.scale.per_unit * layout.argument_error;
+  if (facts.slope_error != greatest_of<int32_t>) slope_error = round_up(slope * layout.slope_factor * reach, 16777216.0);
+  if (slope_error < greatest_of<int32_t> - 4) slope_error += 4;  // roundings of the slope itself
 }
 
 // The search and the baking of one curve, cut into constant expressions of bounded length each.
@@ -112,26 +131,31 @@ template <class S, const auto& curve, class Request> struct Tabulation {
   static constexpr double rounding = rounding_of_value<S>(request.bits);
   static constexpr double limit = request.greatest_error() - rounding;
 
+  template <int candidate>
+  static constexpr auto candidate_form = tabulated_form(curve, facts, candidates.shapes[candidate].over_square);
+  template <int candidate>
+  static constexpr double argument_error =
+      argument_error_of<S>(candidate_form<candidate>.start, candidate_form<candidate>.length);
   template <int candidate, int chunk>
   static constexpr Deviation chunk_deviation =
-      deviation_of_shape(tabulated_form(curve, facts, candidates.shapes[candidate].over_square),
-                         candidates.shapes[candidate], monotone, chunk * kChunk, kChunk, limit);
+      deviation_of_shape(candidate_form<candidate>,
+                         candidates.shapes[candidate], monotone, argument_error<candidate>, chunk * kChunk, kChunk, limit);
 
   template <int candidate, int chunk = 0> static constexpr Deviation deviation() {
     constexpr Deviation here = chunk_deviation<candidate, chunk>;
-    if constexpr (!(here.value <= limit) || (chunk + 1) * kChunk >= candidates.shapes[candidate].segments) return here;
+    if constexpr (!(here.total() <= limit) || (chunk + 1) * kChunk >= candidates.shapes[candidate].segments) return here;
     else return greater_of(here, deviation<candidate, chunk + 1>());
   }
-  // The first candidate within the limit; when the best is asked for, the one that deviates least. -1: none.
+  // The first candidate within the limit; when the best is asked for, the first that is no worse than any. -1: none.
   template <int candidate = 0> static constexpr int choose() {
     if constexpr (candidate == candidates.count) return -1;
     else if constexpr (request.log2_error > 0) {
-      if constexpr (deviation<candidate>().value <= limit) return candidate;
+      if constexpr (deviation<candidate>().total() <= limit) return candidate;
       else return choose<candidate + 1>();
     } else {
       constexpr int rest = choose<candidate + 1>();
       if constexpr (rest < 0) return candidate;
-      else return deviation<candidate>().value <= deviation<rest>().value ? candidate : rest;
+      else return no_worse(deviation<candidate>().total(), deviation<rest>().total(), rounding) ? candidate : rest;
     }
   }
 
@@ -148,16 +172,24 @@ template <class S, const auto& curve, class Request> struct Tabulation {
     if constexpr (chunk + 1 == chunk_count) return surveyed<chunk>.steepest;
     else return greatest_of_two(surveyed<chunk>.steepest, steepest<chunk + 1>());
   }
+  template <int chunk = 0> static constexpr double sharpest() {
+    if constexpr (chunk + 1 == chunk_count) return surveyed<chunk>.sharpest;
+    else return greatest_of_two(surveyed<chunk>.sharpest, sharpest<chunk + 1>());
+  }
   template <int chunk = 0> static constexpr double tallest() {
     if constexpr (chunk + 1 == chunk_count) return surveyed<chunk>.tallest;
     else return greatest_of_two(surveyed<chunk>.tallest, tallest<chunk + 1>());
   }
-  static constexpr CurveLayout<S> layout = layout_of<S>(facts, shape, form.start, form.length, steepest<>(), tallest<>());
+  static constexpr CurveLayout<S> layout = layout_of<S>(facts, shape, form.start, form.length, steepest<>(), sharpest<>(), tallest<>());
   static_assert(layout.usable, "the curve is too steep for a table of this size");
 
+  template <int chunk> static constexpr KnotAim aim_of() {
+    if constexpr (chunk == 0) return {};
+    else return baked<chunk - 1>.segments[kChunk - 1].next;
+  }
   template <int chunk>
-  static constexpr auto baked =
-      bake_chunk<kChunk, S, shape.degree, shape.bits, layout.rising>(form, layout, chunk * kChunk, surveyed<chunk>.ends);
+  static constexpr auto baked = bake_chunk<kChunk, S, shape.degree, shape.bits, layout.rising>(
+      form, layout, chunk * kChunk, surveyed<chunk>.ends, aim_of<chunk>());
 
   using Result = CurveTable<S, shape.segments, shape.degree, shape.bits, layout.rising, layout.slope_fraction_bits>;
   template <int chunk = 0> static constexpr void fill(Result& result, Deviation& worst) {

@@ -20,31 +20,34 @@ constexpr double power_of_two(int exponent) {
 // Nearest integer, |x| < 2^31; halves away from zero.
 constexpr int32_t nearest_integer(double x) { return static_cast<int32_t>(x < 0 ? x - 0.5 : x + 0.5); }
 
-// Sine and cosine on [-pi / 4, pi / 4], by Taylor's series.
-constexpr double sine_of_reduced(double r) {
+// Sine and cosine of r + tail, r in [-pi / 4, pi / 4] and the tail below its last place, by Taylor's series.
+constexpr double sine_of_reduced(double r, double tail) {
   const double z = r * r;
   const double high = 1.0 / 6227020800.0 + z * (-1.0 / 1307674368000.0 + z * (1.0 / 355687428096000.0));
   const double low = -1.0 / 6.0 + z * (1.0 / 120.0 + z * (-1.0 / 5040.0 + z * (1.0 / 362880.0 + z * (-1.0 / 39916800.0 + z * high))));
-  return r + r * z * low;
+  return r + (r * z * low + tail * (1.0 - 0.5 * z));
 }
-constexpr double cosine_of_reduced(double r) {
+constexpr double cosine_of_reduced(double r, double tail) {
   const double z = r * r;
   const double high = 1.0 / 479001600.0 + z * (-1.0 / 87178291200.0 + z * (1.0 / 20922789888000.0 + z * (-1.0 / 6402373705728000.0)));
   const double low = 1.0 / 24.0 + z * (-1.0 / 720.0 + z * (1.0 / 40320.0 + z * (-1.0 / 3628800.0 + z * high)));
   const double half = 0.5 * z, rough = 1.0 - half;
-  return rough + (((1.0 - rough) - half) + z * z * low);
+  return rough + (((1.0 - rough) - half) + (z * z * low - r * tail));
 }
 
 // x less its nearest multiple of pi / 2, and which quarter turn that is.
 struct QuarterTurn {
   double rest = 0.0;
+  double tail = 0.0;
   uint32_t quarter = 0;
 };
 constexpr QuarterTurn reduce_angle(double x) {
   const int32_t n = nearest_integer(x * (2.0 / kPi));
   // pi / 2 in three parts; products of n with the first two are exact.
-  const double rest = ((x - n * 1.5707963267341256) - n * 6.077100506303966e-11) - n * 2.0222662487959506e-21;
-  return {rest, static_cast<uint32_t>(n) & 3u};
+  const double first = x - n * 1.5707963267341256, second = n * 6.077100506303966e-11, third = n * 2.0222662487959506e-21;
+  const double rough = first - second, lost = (first - rough) - second;
+  const double rest = rough + (lost - third);
+  return {rest, (rough - rest) + (lost - third), static_cast<uint32_t>(n) & 3u};
 }
 
 }  // namespace detail
@@ -52,12 +55,12 @@ constexpr QuarterTurn reduce_angle(double x) {
 // For |x| <= 2^20 radians.
 constexpr double exact_sin(double x) {
   const detail::QuarterTurn turn = detail::reduce_angle(x);
-  const double s = (turn.quarter & 1u) != 0 ? detail::cosine_of_reduced(turn.rest) : detail::sine_of_reduced(turn.rest);
+  const double s = (turn.quarter & 1u) != 0 ? detail::cosine_of_reduced(turn.rest, turn.tail) : detail::sine_of_reduced(turn.rest, turn.tail);
   return (turn.quarter & 2u) != 0 ? -s : s;
 }
 constexpr double exact_cos(double x) {
   const detail::QuarterTurn turn = detail::reduce_angle(x);
-  const double s = (turn.quarter & 1u) != 0 ? detail::sine_of_reduced(turn.rest) : detail::cosine_of_reduced(turn.rest);
+  const double s = (turn.quarter & 1u) != 0 ? detail::sine_of_reduced(turn.rest, turn.tail) : detail::cosine_of_reduced(turn.rest, turn.tail);
   return turn.quarter == 1u || turn.quarter == 2u ? -s : s;
 }
 

@@ -84,6 +84,7 @@ struct Polynomial {
   constexpr double bend(double s) const { return (2 * c[2] + 6 * s * c[3]) / h; }
   // Bounds the slope and every intermediate result of the kernel.
   constexpr double steepest() const { return magnitude(c[1]) + magnitude(c[2]) + magnitude(c[3]); }
+  constexpr double sharpest() const { return (2 * magnitude(c[2]) + 3 * magnitude(c[3])) / h; }
 };
 
 constexpr Polynomial polynomial_of(const SegmentEnds& ends, int degree, double h) {
@@ -108,26 +109,38 @@ constexpr Polynomial polynomial_of(const SegmentEnds& ends, int degree, double h
 struct Deviation {
   double value = 0.0;
   double slope = 0.0;
+  double argument = 0.0;  // what rounding the argument adds to the value
 
-  constexpr void include(double v, double s) {
+  constexpr double total() const { return value + argument; }
+  constexpr void include(double v, double s, double a = 0.0) {
     if (!(v <= value)) value = v;
     if (!(s <= slope)) slope = s;
+    if (!(a <= argument)) argument = a;
   }
 };
 
-// The greatest deviation of `polynomial` from f, from the deviation e and its derivatives at nine places. Between two
+// Places at which a segment is compared with its function, its ends included: eight steps, and more where a table has
+// so few segments that they would be far apart.
+constexpr int compared_steps(int segments) {
+  int steps = 8;
+  while (steps * segments < 512) steps *= 2;
+  return steps;
+}
+
+// The greatest deviation of `polynomial` from f, from the deviation e and its derivatives at those places. Between two
 // places w apart e leaves its chord by at most w / 4 times the variation of e' there. That is how far e' goes by its
 // second derivative, plus what that does not explain: a kink between the places. The slope e' is bounded likewise.
 template <class Function>
 constexpr Deviation deviation_of(const Polynomial& polynomial, const Function& f, int segment, int segments) {
-  const double h = 1.0 / segments, w = 0.125 * h;
+  const int steps = compared_steps(segments);
+  const double h = 1.0 / segments, step = 1.0 / steps, w = step * h;
   Deviation worst;
   Differentiable before;
-  for (int place = 0; place <= 8; ++place) {
-    const double s = place * 0.125 - 0.5, x = (segment + place * 0.125) * h;
-    const Differentiable exact = place == 0   ? limit_from(f, x, h * kBeside)
-                                 : place == 8 ? limit_from(f, x, -h * kBeside)
-                                              : f(Differentiable::argument(x));
+  for (int place = 0; place <= steps; ++place) {
+    const double s = place * step - 0.5, x = (segment + place * step) * h;
+    const Differentiable exact = place == 0       ? limit_from(f, x, h * kBeside)
+                                 : place == steps ? limit_from(f, x, -h * kBeside)
+                                                  : f(Differentiable::argument(x));
     const Differentiable here{polynomial.value(s) - exact.value, polynomial.slope(s) - exact.first,
                               polynomial.bend(s) - exact.second};
     if (place > 0) {
@@ -144,7 +157,7 @@ constexpr Deviation deviation_of(const Polynomial& polynomial, const Function& f
 
 // What storing a segment's coefficients and the kernel's rounding add to its deviation, in the value.
 template <class S> constexpr double rounding_of_value(int bits) {
-  if (!ScalarTraits<S>::is_fixed) return 1.0 / 2097152.0;
+  if (!ScalarTraits<S>::is_fixed) return 1.5 / 4194304.0;
   return bits == 32 ? 4.0 / 1073741824.0 : 1.0 / 32768.0;
 }
 
