@@ -116,9 +116,12 @@ constexpr detail::Deviation deviation_of_shape(const TabulatedForm<Curve>& form,
   for (int i = first; i < first + count && i < shape.segments; ++i) {
     const detail::SegmentEnds ends = detail::segment_ends(form, shape, i, monotone);
     const detail::Polynomial polynomial = detail::polynomial_of(ends, shape.degree, 1.0 / shape.segments);
-    const detail::Deviation here = detail::deviation_of(polynomial, form, i, shape.segments);
-    worst.include(here.value, here.slope, argument_error * polynomial.steepest());
-    if (!(worst.total() <= limit)) return worst;
+    // Few places tell most shapes that do not fit.
+    for (int steps = 8; steps > 0; steps = steps < detail::compared_steps(shape.segments) ? detail::compared_steps(shape.segments) : 0) {
+      const detail::Deviation here = detail::deviation_of(polynomial, form, i, shape.segments, steps);
+      worst.include(here.value, here.slope, argument_error * polynomial.steepest());
+      if (!(worst.total() <= limit)) return worst;
+    }
   }
   return worst;
 }

@@ -129,7 +129,7 @@ constexpr BakedSegment<S, degree, bits> bake_segment(const Function& f, const Ta
       polynomial.c[j] = static_cast<double>(stored) / (j == 0 ? 1.0 : scale.per_unit);
     }
   }
-  result.deviation = deviation_of(polynomial, f, segment, shape.segments);
+  result.deviation = deviation_of(polynomial, f, segment, shape.segments, compared_steps(shape.segments));
   return result;
 }
 

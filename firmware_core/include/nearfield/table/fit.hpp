@@ -131,8 +131,7 @@ constexpr int compared_steps(int segments) {
 // places w apart e leaves its chord by at most w / 4 times the variation of e' there. That is how far e' goes by its
 // second derivative, plus what that does not explain: a kink between the places. The slope e' is bounded likewise.
 template <class Function>
-constexpr Deviation deviation_of(const Polynomial& polynomial, const Function& f, int segment, int segments) {
-  const int steps = compared_steps(segments);
+constexpr Deviation deviation_of(const Polynomial& polynomial, const Function& f, int segment, int segments, int steps) {
   const double h = 1.0 / segments, step = 1.0 / steps, w = step * h;
   Deviation worst;
   Differentiable before;
