@@ -143,6 +143,7 @@ int run_curve(const std::vector<std::string>& arguments) {
   }
   const auto csv = options.value("csv"), svg = options.value("svg");
   if (csv && svg) throw UsageError("--csv and --svg exclude each other");
+  if (svg && options.has("samples")) throw UsageError("--samples is for text and --csv; pictures have their own");
   const int samples = whole_number(options, "samples", 2, 100001, csv ? samples_of_csv : samples_of_text);
   const TableRequest request = request_of(options);
   const ConfiguredCurve configured = configured_curve(*options.operand(), options.values("set"));

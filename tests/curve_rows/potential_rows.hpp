@@ -126,6 +126,10 @@ inline std::vector<CurveRow> spline_rows() {
   rows.push_back(
       bspline("bspline_repeated_knot", 3, {0.3, 0.3, 0.6}, {1, 1, 0.8, 0.6, 0.3, 0, 0}, exact(10)));
   // Parabolas come in pairs.
+  // Kinks that lie between the places of a uniform comparison.
+  rows.push_back(bspline("bspline_close_knots", 1, {0.51, 0.5105, 0.511}, {1, 0.49, 0.4892, 0.489, 0},
+                         {Meets::nowhere, 0, {0.51, 0.5105, 0.511}}));
+  rows.push_back(bspline("bspline_steep_piece", 1, {0.51, 0.511}, {1, 0.9, 0.1, 0}, {Meets::nowhere, 0, {0.51, 0.511}, true}));
   rows.push_back(bspline("bspline_kinked", 2, {0.5, 0.5}, {1, 1, 0.7, 0, 0}, exact(4, {0.5})));
   return rows;
 }

@@ -10,7 +10,7 @@ template <class S> struct CurvePlacement {
   S from{}, to{};             // range of the argument
   S start{};                  // where the table begins: `from`, or the middle of a mirrored curve
   Unit<S> before{}, after{};  // values outside the range, exactly
-  bool mirrored = false;      // f(start - x) = before + after - f(start + x), to the bit
+  bool mirrored = false;      // f(start - x) = before + after - f(start + x), to the bit, x > 0
   bool squared = false;       // tabulated over the square of the argument
   ArgumentScale<S> scale;     // over the length of the table
   SquareScale<S> square_scale;

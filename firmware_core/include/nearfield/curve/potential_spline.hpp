@@ -1,15 +1,20 @@
 // Potential functions from control points: natural cubic spline, Bezier and B-spline (KW). Each refuses control points
-// that make it rise anywhere. Exact forms in `double`, for baking: never linked into a target.
+// that make it rise. Exact forms in `double`, for baking: never linked into a target.
 #pragma once
 
 #include <nearfield/curve/potential.hpp>
 
 namespace nearfield::potential {
 
-// Whether a curve rises anywhere between its ends, seen at 512 places a unit.
+// Whether a curve rises anywhere, seen at 48 places of each of its pieces.
 template <class Curve> constexpr bool rises(const Curve& curve) {
-  for (int i = 1; i < 512; ++i) {
-    if (curve(Differentiable::argument(i * (1.0 / 512))).first > 1e-9) return true;
+  const CurveFacts facts = curve.facts();
+  for (int piece = 0; piece <= facts.break_count; ++piece) {
+    const double start = piece == 0 ? 0.0 : facts.breaks[piece - 1];
+    const double end = piece == facts.break_count ? 1.0 : facts.breaks[piece];
+    for (int i = 0; i < 48; ++i) {
+      if (curve(Differentiable::argument(start + (end - start) * ((i + 0.5) / 48))).first > 1e-9) return true;
+    }
   }
   return false;
 }

@@ -54,18 +54,13 @@ struct CandidateShapes {
 
 namespace detail {
 
-// Where a fraction of the curve's range lies in its tabulated form.
-constexpr double tabulated_break(const CurveFacts& facts, double fraction, bool squared) {
-  if (squared) return fraction * fraction;
-  return facts.antisymmetric ? 2.0 * magnitude(fraction - 0.5) : fraction;
-}
-
 // The least number of segments of which some meet at every break; 1 when more than 32 would be needed.
 constexpr int aligned_segments(const CurveFacts& facts, bool squared) {
+  const Breaks breaks = tabulated_breaks(facts, squared);
   for (int n = 1; n <= 32; ++n) {
     bool aligned = true;
-    for (int i = 0; i < facts.break_count; ++i) {
-      const double place = tabulated_break(facts, facts.breaks[i], squared) * n;
+    for (int i = 0; i < breaks.count; ++i) {
+      const double place = breaks.places[i] * n;
       aligned = aligned && magnitude(place - nearest_integer(place)) < 1e-9;
     }
     if (aligned) return n;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nearfield/curve/curve.hpp>
+#include <nearfield/table/fit.hpp>
 
 namespace nearfield {
 
@@ -11,7 +12,9 @@ template <class Curve> struct TabulatedForm {
   const Curve& curve;
   double start = 0.0, length = 1.0;
   bool squared = false;
+  detail::Breaks kinks = {};
 
+  constexpr detail::Breaks breaks() const { return kinks; }
   constexpr Differentiable operator()(const Differentiable& u) const {
     return squared ? of_square(u) : curve(start + length * u);
   }
@@ -36,12 +39,31 @@ template <class Curve> struct OverSquare {
 };
 template <class Curve> constexpr OverSquare<Curve> over_square(Curve curve) { return {curve}; }
 
+namespace detail {
+
+// Where a fraction of the curve's range lies in its tabulated form.
+constexpr double tabulated_break(const CurveFacts& facts, double fraction, bool squared) {
+  if (squared) return fraction * fraction;
+  return facts.antisymmetric ? 2.0 * (fraction - 0.5) : fraction;
+}
+constexpr Breaks tabulated_breaks(const CurveFacts& facts, bool squared) {
+  Breaks breaks;
+  for (int i = 0; i < facts.break_count; ++i) {
+    const double place = tabulated_break(facts, facts.breaks[i], squared);
+    if (place > 0.0) breaks.places[breaks.count++] = place;
+  }
+  return breaks;
+}
+
+}  // namespace detail
+
 // Antisymmetric curves are tabulated over the upper half of their range and mirrored, so that they are symmetric to the
 // bit; others over all of it.
 template <class Curve> constexpr TabulatedForm<Curve> tabulated_form(const Curve& curve, const CurveFacts& facts, bool squared) {
-  if (squared) return {curve, 0.0, facts.to, true};
-  if (facts.antisymmetric) return {curve, facts.middle(), facts.to - facts.middle(), false};
-  return {curve, facts.from, facts.to - facts.from, false};
+  const detail::Breaks breaks = detail::tabulated_breaks(facts, squared);
+  if (squared) return {curve, 0.0, facts.to, true, breaks};
+  if (facts.antisymmetric) return {curve, facts.middle(), facts.to - facts.middle(), false, breaks};
+  return {curve, facts.from, facts.to - facts.from, false, breaks};
 }
 
 }  // namespace nearfield

@@ -127,31 +127,74 @@ constexpr int compared_steps(int segments) {
   return steps;
 }
 
-// The greatest deviation of `polynomial` from f, from the deviation e and its derivatives at those places. Between two
-// places w apart e leaves its chord by at most w / 4 times the variation of e' there. That is how far e' goes by its
-// second derivative, plus what that does not explain: a kink between the places. The slope e' is bounded likewise.
+// Where a function may have kinks or jumps of a derivative, in [0, 1], ascending.
+struct Breaks {
+  static constexpr int greatest_count = 16;
+  int count = 0;
+  double places[greatest_count] = {};
+};
+template <class Function> constexpr auto breaks_of(const Function& f, int) -> decltype(f.breaks()) { return f.breaks(); }
+template <class Function> constexpr Breaks breaks_of(const Function&, long) { return {}; }
+
+// Compares a segment's polynomial with its function from place to place.
+class Comparison {
+ public:
+  constexpr Comparison(const Polynomial& polynomial, int segment) : polynomial_(polynomial), segment_(segment) {}
+
+  // The next place x, up to which nothing was known to break, with the exact function there as seen from before it.
+  constexpr void reach(double x, const Differentiable& exact) {
+    const Differentiable here = deviation_at(x, exact);
+    const double w = x - x_;
+    const double kink = magnitude(here.first - before_.first - 0.5 * w * (here.second + before_.second));
+    const double bend = greatest_of_two(magnitude(here.second), magnitude(before_.second));
+    worst_.include(greatest_of_two(magnitude(here.value), magnitude(before_.value)) + 0.25 * w * (kink + w * bend),
+                   greatest_of_two(magnitude(here.first), magnitude(before_.first)) + kink +
+                       0.25 * w * magnitude(here.second - before_.second));
+    start(x, exact);
+  }
+  // Starts anew at x, with the exact function as seen from behind it.
+  constexpr void start(double x, const Differentiable& exact) {
+    x_ = x;
+    before_ = deviation_at(x, exact);
+  }
+  constexpr const Deviation& worst() const { return worst_; }
+
+ private:
+  constexpr Differentiable deviation_at(double x, const Differentiable& exact) const {
+    const double s = x / polynomial_.h - segment_ - 0.5;
+    return {polynomial_.value(s) - exact.value, polynomial_.slope(s) - exact.first, polynomial_.bend(s) - exact.second};
+  }
+
+  const Polynomial& polynomial_;
+  int segment_;
+  double x_ = 0.0;
+  Differentiable before_;
+  Deviation worst_;
+};
+
+// The greatest deviation of `polynomial` from f, from the deviation e and its derivatives at steps + 1 places and on both
+// sides of f's breaks. Between two places w apart e leaves its chord by at most w / 4 times the variation of e' there.
+// That is how far e' goes by its second derivative, plus what that does not explain: a kink between the places. The
+// slope e' is bounded likewise.
 template <class Function>
 constexpr Deviation deviation_of(const Polynomial& polynomial, const Function& f, int segment, int segments, int steps) {
-  const double h = 1.0 / segments, step = 1.0 / steps, w = step * h;
-  Deviation worst;
-  Differentiable before;
-  for (int place = 0; place <= steps; ++place) {
-    const double s = place * step - 0.5, x = (segment + place * step) * h;
-    const Differentiable exact = place == 0       ? limit_from(f, x, h * kBeside)
-                                 : place == steps ? limit_from(f, x, -h * kBeside)
-                                                  : f(Differentiable::argument(x));
-    const Differentiable here{polynomial.value(s) - exact.value, polynomial.slope(s) - exact.first,
-                              polynomial.bend(s) - exact.second};
-    if (place > 0) {
-      const double kink = magnitude(here.first - before.first - 0.5 * w * (here.second + before.second));
-      const double bend = greatest_of_two(magnitude(here.second), magnitude(before.second));
-      worst.include(greatest_of_two(magnitude(here.value), magnitude(before.value)) + 0.25 * w * (kink + w * bend),
-                    greatest_of_two(magnitude(here.first), magnitude(before.first)) + kink +
-                        0.25 * w * magnitude(here.second - before.second));
+  const double h = 1.0 / segments, beside = h * kBeside;
+  const Breaks breaks = breaks_of(f, 0);
+  Comparison comparison(polynomial, segment);
+  comparison.start(segment * h, limit_from(f, segment * h, beside));
+  int next_break = 0;
+  for (int place = 1; place <= steps; ++place) {
+    const double before = (segment + (place - 1.0) / steps) * h, x = (segment + static_cast<double>(place) / steps) * h;
+    for (; next_break < breaks.count && breaks.places[next_break] < x - beside; ++next_break) {
+      const double at = breaks.places[next_break];
+      if (at <= before + beside) continue;
+      comparison.reach(at, limit_from(f, at, -beside));
+      comparison.start(at, limit_from(f, at, beside));
     }
-    before = here;
+    const bool last = place == steps;
+    comparison.reach(x, last ? limit_from(f, x, -beside) : f(Differentiable::argument(x)));
   }
-  return worst;
+  return comparison.worst();
 }
 
 // What storing a segment's coefficients and the kernel's rounding add to its deviation, in the value.
