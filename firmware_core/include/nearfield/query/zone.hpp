@@ -46,7 +46,8 @@ template <class S> struct SpeedRamp {
     if (c.status != ClearanceStatus::clear || !(c.distance >= stop) || !(scale.limit > S{})) return Zone::stop;
     return scale.contains(above_stop(c.distance)) ? Zone::slow : Zone::free;
   }
-  // In [0, 1], never above the exact step H_3 of the clearance: the table's error is taken off.
+  // In [0, 1], never above the exact step H_3 of the clearance: the table's error is taken off. Rises with the clearance, but
+  // for single units in the last place.
   constexpr S override_for(const Clearance<S>& c) const;
 
  private:
