@@ -11,7 +11,7 @@ riscv_packages="gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system
 case "${1:-}" in
   host) packages=$host_packages ;;
   cortex-m4) packages=$cortex_m4_packages ;;
-  test) packages="$cortex_m4_packages $riscv_packages gcc clang libgtest-dev binutils" ;;
+  test) packages="$cortex_m4_packages $riscv_packages gcc clang libclang-rt-14-dev libgtest-dev binutils" ;;
   *)
     sed -n '2,5s/^# //p' "$0" >&2
     exit 2
