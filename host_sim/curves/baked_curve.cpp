@@ -3,36 +3,11 @@
 namespace nearfield::host {
 namespace {
 
-// Calls work(degree, bits, rising) with the numbers as types.
-template <int number> struct Number { static constexpr int value = number; };
-
-template <class S, class Work> auto with_format(const TableShape& shape, bool rising, const Work& work) {
-  const auto with_rising = [&](auto degree, auto bits) {
-    return rising ? work(degree, bits, Number<1>{}) : work(degree, bits, Number<0>{});
-  };
-  const auto with_bits = [&](auto degree) {
-    if constexpr (ScalarTraits<S>::is_fixed) {
-      if (shape.bits == 16) return with_rising(degree, Number<16>{});
-    }
-    return with_rising(degree, Number<32>{});
-  };
-  return shape.degree == 1 ? with_bits(Number<1>{}) : shape.degree == 2 ? with_bits(Number<2>{}) : with_bits(Number<3>{});
-}
-
-template <class S, int degree, int bits> TableView<S, degree, bits> view_of(const BakedCurve<S>& curve) {
-  TableView<S, degree, bits> view;
-  if constexpr (bits == 16) view.coefficients = curve.narrow.data();
-  else view.coefficients = curve.wide.data();
-  view.index_bits = index_bits_for(curve.layout.shape.segments);
-  view.slope_headroom = curve.slope_headroom;
-  return view;
-}
-
 // The shape that tabulate() would choose.
 template <class S> std::optional<TableShape> choose(const AnyCurve& curve, const CurveFacts& facts, const TableRequest& request) {
   const bool monotone = facts.direction != Direction::none;
-  const double limit = request.greatest_error() - detail::rounding_of_value<S>(request.bits);
   const double rounding = detail::rounding_of_value<S>(request.bits);
+  const double limit = request.greatest_error() - rounding;
   const CandidateShapes candidates = candidate_shapes(facts, request);
   const auto deviation_of = [&](const TableShape& shape) {
     const auto form = tabulated_form(curve, facts, shape.over_square);
@@ -59,9 +34,8 @@ template <class S> std::optional<TableShape> choose(const AnyCurve& curve, const
 }  // namespace
 
 template <class S> BakedSample BakedCurve<S>::sample(S x) const {
-  return with_format<S>(layout.shape, layout.rising, [&](auto degree, auto bits, auto rising) -> BakedSample {
-    const auto view = view_of<S, degree.value, bits.value>(*this);
-    const auto raw = sample_curve<true, rising.value != 0>(view, layout.placement, x);
+  return with_view(*this, [&](const auto& view, auto rising) -> BakedSample {
+    const auto raw = sample_curve<true, rising.value>(view, layout.placement, x);
     if constexpr (ScalarTraits<S>::is_fixed) {
       return {Fixed<30>::from_raw(raw.value).to_double(), raw.slope / detail::power_of_two(layout.slope_fraction_bits)};
     } else {
@@ -78,24 +52,21 @@ template <class S> std::optional<BakedCurve<S>> bake_curve(const AnyCurve& curve
 
   const auto form = tabulated_form(curve, facts, shape->over_square);
   std::vector<detail::SegmentEnds> ends;
-  double steepest = 0.0, sharpest = 0.0, tallest = 0.0;
+  detail::PolynomialBounds bounds;
   for (int i = 0; i < shape->segments; ++i) {
     const auto surveyed = detail::survey<1>(form, *shape, i, monotone);
     ends.push_back(surveyed.ends[0]);
-    steepest = greatest_of_two(steepest, surveyed.steepest);
-    sharpest = greatest_of_two(sharpest, surveyed.sharpest);
-    tallest = greatest_of_two(tallest, surveyed.tallest);
+    bounds.include(surveyed.bounds);
   }
   BakedCurve<S> baked;
-  baked.layout = detail::layout_of<S>(facts, *shape, form.start, form.length, steepest, sharpest, tallest);
+  baked.layout = detail::layout_of<S>(facts, *shape, form.start, form.length, bounds);
   if (!baked.layout.usable) return std::nullopt;
-  baked.slope_headroom = baked.layout.scale.slope_headroom;
 
   detail::Deviation worst;
   const auto bake_all = [&](auto degree, auto bits, auto rising) {
     detail::KnotAim aim;
     for (int i = 0; i < shape->segments; ++i) {
-      const auto segment = detail::bake_segment<S, degree.value, bits.value, rising.value != 0>(
+      const auto segment = detail::bake_segment<S, degree.value, bits.value, rising.value>(
           form, *shape, i, ends[static_cast<std::size_t>(i)], baked.layout.scale, aim);
       aim = segment.next;
       for (const auto word : segment.words) {
@@ -104,7 +75,7 @@ template <class S> std::optional<BakedCurve<S>> bake_curve(const AnyCurve& curve
       }
       worst.include(segment.deviation.value, segment.deviation.slope);
     }
-    const auto view = view_of<S, degree.value, bits.value>(baked);
+    const auto view = view_of<degree.value, bits.value>(baked);
     baked.table_facts = detail::facts_with_errors(view, shape->segments, worst, true, baked.layout.scale);
     return 0;
   };

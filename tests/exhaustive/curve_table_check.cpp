@@ -72,7 +72,7 @@ class TableWatch {
       EXPECT_LE(slope_error_, static_cast<Real>(baked_.slope_error)) << "slope at " << worst_slope_;
     }
     // Where slopes have fewer fraction bits than values, what a climb is truncated to is coarser by as much.
-    const int coarser = baked_.layout.rising ? baked_.slope_headroom - index_bits_for(shape.segments) : 0;
+    const int coarser = baked_.layout.rising ? baked_.layout.scale.slope_headroom - index_bits_for(shape.segments) : 0;
     EXPECT_LE(against_ / value_unit<S>(shape.bits), std::ldexp(kGreatestStepAgainst, coarser))
         << "against its direction at " << worst_against_;
     EXPECT_LE(slope_against_direction, kGreatestSlopeAgainst);

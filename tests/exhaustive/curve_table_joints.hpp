@@ -13,30 +13,7 @@
 
 namespace nearfield::curve_tests {
 
-/// Calls work(view, rising) with the table's format as types.
-template <class S, class Work>
-auto with_view(const host::BakedCurve<S>& baked, const Work& work) {
-  const auto with_format = [&](auto degree, auto bits) {
-    TableView<S, degree.value, bits.value> view;
-    if constexpr (bits.value == 16)
-      view.coefficients = baked.narrow.data();
-    else
-      view.coefficients = baked.wide.data();
-    view.index_bits = index_bits_for(baked.layout.shape.segments);
-    view.slope_headroom = baked.slope_headroom;
-    return baked.layout.rising ? work(view, std::true_type{}) : work(view, std::false_type{});
-  };
-  const auto with_degree = [&](auto degree) {
-    if constexpr (ScalarTraits<S>::is_fixed) {
-      if (baked.layout.shape.bits == 16) return with_format(degree, std::integral_constant<int, 16>{});
-    }
-    return with_format(degree, std::integral_constant<int, 32>{});
-  };
-  const int degree = baked.layout.shape.degree;
-  return degree == 1   ? with_degree(std::integral_constant<int, 1>{})
-         : degree == 2 ? with_degree(std::integral_constant<int, 2>{})
-                       : with_degree(std::integral_constant<int, 3>{});
-}
+using host::with_view;
 
 template <class S>
 const char* scalar_name() {

@@ -90,7 +90,7 @@ void expect_same_at_run_time(const CurveTable<S, segments, degree, bits, rising,
   ASSERT_EQ(shape.degree, degree);
   ASSERT_EQ(shape.bits, bits);
   EXPECT_EQ(baked->layout.rising, rising);
-  EXPECT_EQ(baked->slope_headroom, table.table.slope_headroom);
+  EXPECT_EQ(baked->layout.scale.slope_headroom, table.table.slope_headroom);
   if (ScalarTraits<S>::is_fixed) {
     EXPECT_EQ(baked->layout.slope_fraction_bits, slope_fraction_bits);
   }

@@ -18,7 +18,7 @@ enum class Direction : int8_t { falling = -1, none = 0, rising = 1 };
 inline constexpr int kInfinitelySmooth = 99;
 
 struct CurveFacts {
-  static constexpr int greatest_break_count = 16;  // detail::Breaks has room for them
+  static constexpr int greatest_break_count = 16;
 
   double from = 0.0, to = 1.0;     // range of the argument
   double before = 1.0;             // value below it, exactly

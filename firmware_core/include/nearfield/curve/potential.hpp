@@ -91,8 +91,7 @@ struct Arctangent {
 // The same with both ends pinned: (F(r) - F(1)) / (F(0) - F(1)); meant for c1 < 50 (KW).
 struct ArctangentClamped {
   static constexpr const char* name = "arctangent_clamped";
-  static constexpr CurveParameter parameters[] = {number_parameter("c1", "steepness", 1, 1000, 10),
-                                                  number_parameter("c2", "r of the value 1/2", 0.1, 0.9, 0.5)};
+  static constexpr const auto& parameters = Arctangent::parameters;
   double c1 = 10.0;
   double c2 = 0.5;
 

@@ -116,8 +116,7 @@ template <class Theta> struct IteratedCutoff {
   constexpr CurveFacts facts() const {
     int order = theta_continuous_derivatives + 1;
     for (int k = squared ? 0 : 1; k < n; ++k) order *= 2;
-    CurveFacts facts = step_facts(order - 1, squared);
-    return facts;
+    return step_facts(order - 1, squared);
   }
   constexpr const char* problem() const {
     if (n < 1 || n > 5) return "n is 1 to 5";
@@ -141,29 +140,20 @@ template <class Step> struct AngleOfStep {
   constexpr Differentiable operator()(const Differentiable& t) const { return (0.5 * kPi) * step(t); }
 };
 
-// R_n (Li, equation 16): 2^(n-1) - 1 derivatives vanish at both ends; not antisymmetric.
-struct RisingCutoff {
-  static constexpr const char* name = "rising_cutoff";
+// R_n (Li, equation 16): 2^(n-1) - 1 derivatives vanish at both ends; not antisymmetric. Squared it is antisymmetric, for
+// balanced blends, and 2^n - 1 derivatives vanish at both ends.
+template <bool squared> struct RisingCutoffPower {
+  static constexpr const char* name = squared ? "rising_cutoff_squared" : "rising_cutoff";
   static constexpr CurveParameter parameters[] = {integer_parameter("n", "iterations", 1, 5, 2)};
   int n = 2;
-  constexpr IteratedCutoff<LinearAngle> iteration() const { return {{}, n, false, 0}; }
+  constexpr IteratedCutoff<LinearAngle> iteration() const { return {{}, n, squared, 0}; }
   constexpr Differentiable operator()(const Differentiable& t) const { return iteration()(t); }
   constexpr CurveFacts facts() const { return iteration().facts(); }
-  static constexpr RisingCutoff from(const ParameterValues* values) { return {values[0].integer()}; }
+  static constexpr RisingCutoffPower from(const ParameterValues* values) { return {values[0].integer()}; }
   constexpr const char* problem() const { return iteration().problem(); }
 };
-
-// R_n^2: antisymmetric, for balanced blends; 2^n - 1 derivatives vanish at both ends.
-struct RisingCutoffSquared {
-  static constexpr const char* name = "rising_cutoff_squared";
-  static constexpr CurveParameter parameters[] = {integer_parameter("n", "iterations", 1, 5, 2)};
-  int n = 2;
-  constexpr IteratedCutoff<LinearAngle> iteration() const { return {{}, n, true, 0}; }
-  constexpr Differentiable operator()(const Differentiable& t) const { return iteration()(t); }
-  constexpr CurveFacts facts() const { return iteration().facts(); }
-  static constexpr RisingCutoffSquared from(const ParameterValues* values) { return {values[0].integer()}; }
-  constexpr const char* problem() const { return iteration().problem(); }
-};
+using RisingCutoff = RisingCutoffPower<false>;
+using RisingCutoffSquared = RisingCutoffPower<true>;
 
 // The iteration from theta_0 = (pi/2) H_start, a start of one's own for people who have no callable at hand.
 struct CutoffFromPolynomial {

@@ -52,17 +52,17 @@ template <class S> constexpr double argument_error_of(double start, double lengt
 
 template <class S>
 constexpr CurveLayout<S> layout_of(const CurveFacts& facts, const TableShape& shape, double start, double length,
-                                   double steepest, double sharpest, double tallest) {
+                                   const PolynomialBounds& bounds) {
   CurveLayout<S> layout;
   layout.shape = shape;
   const int index_bits = index_bits_for(shape.segments);
   const ScaleChoice choice =
-      choose_scale(shape, steepest, tallest, index_bits > kSlopeHeadroom ? index_bits : kSlopeHeadroom);
+      choose_scale(shape, bounds, index_bits > kSlopeHeadroom ? index_bits : kSlopeHeadroom);
   layout.scale = choice.scale;
   layout.usable = choice.usable;
   layout.rising = choice.scale.slope_headroom > index_bits;
   layout.argument_error = argument_error_of<S>(start, length);
-  layout.sharpest = sharpest;
+  layout.sharpest = bounds.sharpest;
 
   CurvePlacement<S>& placement = layout.placement;
   placement.from = S(static_cast<S>(facts.from));
@@ -168,19 +168,12 @@ template <class S, const auto& curve, class Request> struct Tabulation {
 
   template <int chunk>
   static constexpr SurveyedSegments<kChunk> surveyed = survey<kChunk>(form, shape, chunk * kChunk, monotone);
-  template <int chunk = 0> static constexpr double steepest() {
-    if constexpr (chunk + 1 == chunk_count) return surveyed<chunk>.steepest;
-    else return greatest_of_two(surveyed<chunk>.steepest, steepest<chunk + 1>());
+  template <int chunk = 0> static constexpr PolynomialBounds bounds() {
+    PolynomialBounds all = surveyed<chunk>.bounds;
+    if constexpr (chunk + 1 < chunk_count) all.include(bounds<chunk + 1>());
+    return all;
   }
-  template <int chunk = 0> static constexpr double sharpest() {
-    if constexpr (chunk + 1 == chunk_count) return surveyed<chunk>.sharpest;
-    else return greatest_of_two(surveyed<chunk>.sharpest, sharpest<chunk + 1>());
-  }
-  template <int chunk = 0> static constexpr double tallest() {
-    if constexpr (chunk + 1 == chunk_count) return surveyed<chunk>.tallest;
-    else return greatest_of_two(surveyed<chunk>.tallest, tallest<chunk + 1>());
-  }
-  static constexpr CurveLayout<S> layout = layout_of<S>(facts, shape, form.start, form.length, steepest<>(), sharpest<>(), tallest<>());
+  static constexpr CurveLayout<S> layout = layout_of<S>(facts, shape, form.start, form.length, bounds<>());
   static_assert(layout.usable, "the curve is too steep for a table of this size");
 
   template <int chunk> static constexpr KnotAim aim_of() {

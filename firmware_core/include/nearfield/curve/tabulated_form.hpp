@@ -47,6 +47,7 @@ constexpr double tabulated_break(const CurveFacts& facts, double fraction, bool 
   return facts.antisymmetric ? 2.0 * (fraction - 0.5) : fraction;
 }
 constexpr Breaks tabulated_breaks(const CurveFacts& facts, bool squared) {
+  static_assert(CurveFacts::greatest_break_count <= Breaks::greatest_count, "a curve's breaks fit");
   Breaks breaks;
   for (int i = 0; i < facts.break_count; ++i) {
     const double place = tabulated_break(facts, facts.breaks[i], squared);

@@ -169,12 +169,29 @@ template <class Function> constexpr double argument_range(const Function&) { ret
 
 namespace detail {
 
-// The ends of `count` segments from `first` on, and what their polynomials need.
-template <int count> struct SurveyedSegments {
-  SegmentEnds ends[static_cast<size_t>(count)] = {};
-  double steepest = 0.0;  // bounds of slope and second derivative per unit of [0, 1]
+// What a table's format must hold. What is not a number stays.
+struct PolynomialBounds {
+  double steepest = 0.0;  // of slope and second derivative per unit of [0, 1]
   double sharpest = 0.0;
   double tallest = 0.0;
+
+  constexpr void include(double steep, double sharp, double tall) {
+    raise(steepest, steep);
+    raise(sharpest, sharp);
+    raise(tallest, tall);
+  }
+  constexpr void include(const PolynomialBounds& other) { include(other.steepest, other.sharpest, other.tallest); }
+
+ private:
+  static constexpr void raise(double& bound, double x) {
+    if (bound == bound && !(x <= bound)) bound = x;
+  }
+};
+
+// The ends of `count` segments from `first` on, and the bounds of their polynomials.
+template <int count> struct SurveyedSegments {
+  SegmentEnds ends[static_cast<size_t>(count)] = {};
+  PolynomialBounds bounds;
 };
 template <int count, class Function>
 constexpr SurveyedSegments<count> survey(const Function& f, const TableShape& shape, int first, bool monotone) {
@@ -182,26 +199,23 @@ constexpr SurveyedSegments<count> survey(const Function& f, const TableShape& sh
   for (int i = 0; i < count && first + i < shape.segments; ++i) {
     result.ends[i] = segment_ends(f, shape, first + i, monotone);
     const Polynomial polynomial = polynomial_of(result.ends[i], shape.degree, 1.0 / shape.segments);
-    // So that what is not a number stays.
-    if (!(polynomial.steepest() <= result.steepest)) result.steepest = polynomial.steepest();
-    if (!(polynomial.sharpest() <= result.sharpest)) result.sharpest = polynomial.sharpest();
-    if (!(magnitude(polynomial.c[0]) <= result.tallest)) result.tallest = magnitude(polynomial.c[0]);
+    result.bounds.include(polynomial.steepest(), polynomial.sharpest(), magnitude(polynomial.c[0]));
   }
   return result;
 }
 
-// Scale of a table whose slopes reach `steepest`; usable only if headroom up to `greatest_headroom` suffices.
+// Scale of a table with these bounds; usable only if headroom up to `greatest_headroom` suffices.
 struct ScaleChoice {
   CoefficientScale scale;
   bool usable = false;
 };
-constexpr ScaleChoice choose_scale(const TableShape& shape, double steepest, double tallest, int greatest_headroom) {
+constexpr ScaleChoice choose_scale(const TableShape& shape, const PolynomialBounds& bounds, int greatest_headroom) {
   ScaleChoice choice;
   const int k = index_bits_for(shape.segments);
   choice.scale.index_bits = k;
   choice.scale.per_unit = static_cast<double>(1 << k) / shape.segments;
-  const int headroom = headroom_for(steepest * choice.scale.per_unit, greatest_headroom, shape.bits);
-  choice.usable = headroom <= greatest_headroom && tallest < 1.99;
+  const int headroom = headroom_for(bounds.steepest * choice.scale.per_unit, greatest_headroom, shape.bits);
+  choice.usable = headroom <= greatest_headroom && bounds.tallest < 1.99;
   choice.scale.slope_headroom = choice.usable ? headroom : greatest_headroom;
   return choice;
 }
@@ -223,7 +237,7 @@ constexpr Table<S, segments, degree, bits> bake(const Function& function, bool m
   Table<S, segments, degree, bits> table;
   table.range = S(static_cast<S>(argument_range(function)));
   const auto surveyed = detail::survey<segments>(function, shape, 0, monotone);
-  const detail::ScaleChoice choice = detail::choose_scale(shape, surveyed.steepest, surveyed.tallest, table.index_bits);
+  const detail::ScaleChoice choice = detail::choose_scale(shape, surveyed.bounds, table.index_bits);
   table.slope_headroom = choice.scale.slope_headroom;
   detail::Deviation worst;
   detail::KnotAim aim;
