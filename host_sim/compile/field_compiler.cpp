@@ -195,9 +195,9 @@ template <class S> class FieldCompiler {
     else if (name == "intersection") builder_->operation(SharpIntersection<S>{});
     else if (name == "subtraction") builder_->operation(SharpSubtraction<S>{});
     else if (name == "soft_sum") builder_->operation(SoftSum<S>{});
-    else if (name == "exterior_union") add_exterior<ExteriorUnion<S>>(node);
-    else if (name == "exterior_intersection") add_exterior<ExteriorIntersection<S>>(node);
-    else if (name == "exterior_subtraction") add_exterior<ExteriorSubtraction<S>>(node);
+    else if (name == "exterior_union") add_exterior<AdditiveUnion<S>>(node);
+    else if (name == "exterior_intersection") add_exterior<AdditiveIntersection<S>>(node);
+    else if (name == "exterior_subtraction") add_exterior<AdditiveSubtraction<S>>(node);
     else throw std::logic_error("an operator of the scene format without an operation");
   }
   template <class Blend> void add_exterior(const FieldNode& node) {

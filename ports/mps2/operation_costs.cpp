@@ -314,9 +314,9 @@ int main() {
   blend_cost("sharp_union", SharpUnion<Q>{}, unite);
   blend_cost("sharp_intersection", SharpIntersection<Q>{}, intersect);
   blend_cost("sharp_subtraction", SharpSubtraction<Q>{}, subtract);
-  exterior_cost<ExteriorUnion>("exterior_union");
-  exterior_cost<ExteriorIntersection>("exterior_intersection");
-  exterior_cost<ExteriorSubtraction>("exterior_subtraction");
+  exterior_cost<AdditiveUnion>("exterior_union");
+  exterior_cost<AdditiveIntersection>("exterior_intersection");
+  exterior_cost<AdditiveSubtraction>("exterior_subtraction");
   soft_costs();
   frame_costs();
   query_cost();

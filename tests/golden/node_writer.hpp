@@ -24,18 +24,19 @@ class NodeWriter {
   [[gnu::noinline]] constexpr void write(const Shape& shape) {
     builder_.operation(shape);
   }
-  template <class Shape>
-  [[gnu::noinline]] constexpr void write(const WithTable<Shape>& node) {
-    builder_.operation(node.shape, reference_of(node.table));
-  }
-  template <class Blend, class A, class B>
-  constexpr void write(const Blended<Blend, A, B>& node) {
-    write(node.a);
-    write(node.b);
-    if constexpr (OperationOf<Blend>::uses_table)
-      builder_.operation(node.blend, reference_of(node.table));
+  template <class T, class View, class... Operand>
+  constexpr void write(const Combined<T, View, Operand...>& node) {
+    write(node.operands);
+    if constexpr (detail::uses_table<T>)
+      builder_.operation(node.operation, reference_of(node.table));
     else
-      builder_.operation(node.blend);
+      builder_.operation(node.operation);
+  }
+  constexpr void write(const NodeList<>&) {}
+  template <class First, class... Rest>
+  constexpr void write(const NodeList<First, Rest...>& list) {
+    write(list.first);
+    write(list.rest);
   }
   template <class A>
   constexpr void write(const Placed<A>& node) {

@@ -159,9 +159,9 @@ class FieldMaker {
       blend = reference::exterior_blend(step, delta, delta * kernel.ratio);
       const ArgumentScale<S> scale =
           ArgumentScale<S>::of(narrow<S>(product(rounded<S>(delta), kernel.table.range)));
-      if (operation == 0) image_.operation(ExteriorUnion<S>{scale}, tables_[which]);
-      if (operation == 1) image_.operation(ExteriorIntersection<S>{scale}, tables_[which]);
-      if (operation == 2) image_.operation(ExteriorSubtraction<S>{scale}, tables_[which]);
+      if (operation == 0) image_.operation(AdditiveUnion<S>{scale}, tables_[which]);
+      if (operation == 1) image_.operation(AdditiveIntersection<S>{scale}, tables_[which]);
+      if (operation == 2) image_.operation(AdditiveSubtraction<S>{scale}, tables_[which]);
     }
     std::vector<reference::Node> operands;
     operands.push_back(std::move(first));

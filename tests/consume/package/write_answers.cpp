@@ -19,7 +19,7 @@ ImageBuilder<Q, 300> field_image() {
   const uint32_t table = builder.table(rounding);
   builder.operation(Sphere<Q>{{0.0, 0.0, 0.0}, 0.25});
   builder.enter_slot(0).operation(Box<Q>{{0.0, 0.0, 0.0}, {0.25, 0.125, 0.5}}).leave();
-  ExteriorUnion<Q> blend;
+  AdditiveUnion<Q> blend;
   blend.scale = ArgumentScale<Q>::of(Q(0.125));
   builder.operation(blend, table);
   builder.finish();

@@ -17,7 +17,7 @@ namespace {
 nf::ImageBuilder<Q, 300> cell_image() {
   nf::ImageBuilder<Q, 300> builder;
   const uint32_t table = builder.table(kRounding);
-  nf::ExteriorUnion<Q> blend;
+  nf::AdditiveUnion<Q> blend;
   blend.scale = nf::ArgumentScale<Q>::of(nf::narrow<Q>(nf::product(Q(0.05), kRounding.range)));
   builder.operation(nf::Box<Q>{{0.0, 0.0, -0.05}, {0.8, 0.6, 0.05}})
       .operation(nf::Capsule<Q>{{0.3, 0.2, 0.0}, {0.3, 0.2, 0.5}, 0.04})

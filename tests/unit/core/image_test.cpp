@@ -176,12 +176,11 @@ Sphere<S> ball() {
 
 bool is_known_operation(uint32_t code) {
   switch (static_cast<Operation>(code)) {
-#define NEARFIELD_CASE(number, name, type) case Operation::name:
-    NEARFIELD_SHAPES(NEARFIELD_CASE)
-    NEARFIELD_SHAPES_WITH_TABLE(NEARFIELD_CASE) NEARFIELD_BLENDS(NEARFIELD_CASE)
-        NEARFIELD_BLENDS_WITH_TABLE(NEARFIELD_CASE)
+#define NEARFIELD_CASE(number, name, ...) case Operation::name:
+    NEARFIELD_OPERATIONS(NEARFIELD_CASE)
+    NEARFIELD_FRAME_OPERATIONS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
-            case Operation::enter_pose : case Operation::enter_slot : case Operation::leave : return true;
+    return true;
   }
   return false;
 }
@@ -398,7 +397,7 @@ TYPED_TEST(ImageOf, FactsNarrowerThanTheCoefficients) {
   const auto status_with = [](const auto& narrow_down) {
     Table<S, 32> table = golden::Scene<S>::kernel;
     narrow_down(table.facts);
-    ExteriorIntersection<S> blend;
+    AdditiveIntersection<S> blend;
     blend.scale = ArgumentScale<S>::of(metres<S>(0.25));
     return status_of_program<S>([&](auto& b) {
       const uint32_t reference = b.table(table);

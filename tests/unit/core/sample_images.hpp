@@ -62,7 +62,7 @@ Image small_distance_image() {
   builder.enter_slot(0);
   builder.operation(Box<S>{{}, {metres<S>(0.25), metres<S>(0.25), metres<S>(0.5)}});
   builder.leave();
-  ExteriorUnion<S> blend;
+  AdditiveUnion<S> blend;
   blend.scale = ArgumentScale<S>::of(metres<S>(0.25));
   builder.operation(blend, table);
   builder.finish();

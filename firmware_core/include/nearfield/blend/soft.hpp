@@ -1,7 +1,7 @@
 // Sum of intensities (KW; Hsu): F = sum of c_i P_i. The weights are in the operands.
 #pragma once
 
-#include <nearfield/blend/additive.hpp>
+#include <nearfield/shape/operands.hpp>
 
 namespace nearfield {
 
@@ -9,6 +9,7 @@ namespace nearfield {
 template <class S> struct SoftSum {
   using Scalar = S;
   static constexpr Kind kind = Kind::intensity;
+  static constexpr int fixed_operand_count = 2;
 
   template <class Out> constexpr Out combine(const Out& a, const Out& b) const {
     Out out;
@@ -16,8 +17,8 @@ template <class S> struct SoftSum {
     if constexpr (Out::has_gradient) out.gradient = a.gradient + b.gradient;
     return out;
   }
-  constexpr Certificate<S> certificate(const Certificate<S>& a, const Certificate<S>& b) const {
-    return detail::worst_of(a, b);
+  constexpr Certificate<S> certificate(OperandCertificates<S> of, const TableFacts&, Reach<S>) const {
+    return worst_of(of[0], of[1]);
   }
 };
 

@@ -29,13 +29,13 @@ template <class S, uint32_t Capacity> class ImageBuilder {
 
   // A shape or blend; those with a table take its reference.
   template <class T> constexpr ImageBuilder& operation(const T& payload) {
-    static_assert(!OperationOf<T>::uses_table, "this operation needs a table's reference");
+    static_assert(!detail::uses_table<T>, "this operation needs a table's reference");
     append(static_cast<uint32_t>(OperationOf<T>::value) | payload_words<T> << 8);
     append_payload(payload);
     return *this;
   }
   template <class T> constexpr ImageBuilder& operation(const T& payload, uint32_t table_reference) {
-    static_assert(OperationOf<T>::uses_table, "this operation has no table");
+    static_assert(detail::uses_table<T>, "this operation has no table");
     append(static_cast<uint32_t>(OperationOf<T>::value) | (payload_words<T> + 1) << 8);
     append_payload(payload);
     append(table_reference);

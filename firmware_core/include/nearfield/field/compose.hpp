@@ -5,21 +5,25 @@
 
 namespace nearfield {
 
-// Composite nodes. Leaves are the shapes themselves.
-template <class Shape> struct WithTable {
-  using Scalar = typename Shape::Scalar;
-  static constexpr Kind kind = Shape::kind;
-  Shape shape;
-  TableView<Scalar> table;
+// The nodes of a composition: an operation with its operands, seen by way of NodeTraits.
+template <class... Node> struct NodeList {
+  static constexpr int count = 0;
 };
-template <class Blend, class A, class B> struct Blended {
-  using Scalar = typename Blend::Scalar;
-  static constexpr Kind kind = Blend::kind;
-  Blend blend;
-  A a;
-  B b;
-  TableView<Scalar> table;
+template <class First, class... Rest> struct NodeList<First, Rest...> {
+  static constexpr int count = 1 + static_cast<int>(sizeof...(Rest));
+  First first;
+  NodeList<Rest...> rest;
+};
+
+// Leaves without a table are the shapes themselves. View: how the table is seen, TableView<Scalar> but for narrower
+// tables; where an operation has none it stays empty.
+template <class T, class View, class... Operand> struct Combined {
+  using Scalar = typename T::Scalar;
+  static constexpr Kind kind = T::kind;
+  T operation;
+  View table;
   TableFacts facts;
+  NodeList<Operand...> operands;
 };
 template <class A> struct Placed {
   using Scalar = typename A::Scalar;
@@ -43,40 +47,78 @@ template <class Shape> struct NodeTraits {
     return shape.template evaluate<Out>(p);
   }
   static constexpr Certificate<S> certificate(const Shape& shape, Reach<S> reach) { return shape.certificate(reach); }
-  static constexpr Budget budget(const Shape&) { return cortex_m4_cost(OperationOf<Shape>::value); }
+  static constexpr Budget budget(const Shape& shape) { return cortex_m4_cost(shape); }
   static constexpr uint32_t slot_count(const Shape&) { return 0; }
 };
 
-template <class Shape> struct NodeTraits<WithTable<Shape>> {
-  using Node = WithTable<Shape>;
-  using S = typename Node::Scalar;
-  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Pose<S>*) {
-    return node.shape.template evaluate<Out>(p, node.table);
+// The same of the operands, into arrays.
+template <class... Operand> struct NodeListTraits;
+template <> struct NodeListTraits<> {
+  template <class Out, class S> static constexpr void evaluate(Out*, const NodeList<>&, const Vector3<S>&, const Pose<S>*) {}
+  template <class S> static constexpr void certificates(Certificate<S>*, const NodeList<>&, Reach<S>) {}
+  static constexpr Budget budget(const NodeList<>&) { return {}; }
+  static constexpr uint32_t slot_count(const NodeList<>&) { return 0; }
+};
+template <class First, class... Rest> struct NodeListTraits<First, Rest...> {
+  using List = NodeList<First, Rest...>;
+  using Others = NodeListTraits<Rest...>;
+  template <class Out, class S>
+  static constexpr void evaluate(Out* out, const List& list, const Vector3<S>& p, const Pose<S>* slots) {
+    *out = NodeTraits<First>::template evaluate<Out>(list.first, p, slots);
+    Others::template evaluate<Out, S>(out + 1, list.rest, p, slots);
   }
-  static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) { return node.shape.certificate(reach); }
-  static constexpr Budget budget(const Node&) { return cortex_m4_cost(OperationOf<Shape>::value); }
-  static constexpr uint32_t slot_count(const Node&) { return 0; }
+  template <class S> static constexpr void certificates(Certificate<S>* out, const List& list, Reach<S> reach) {
+    *out = NodeTraits<First>::certificate(list.first, reach);
+    Others::template certificates<S>(out + 1, list.rest, reach);
+  }
+  static constexpr Budget budget(const List& list) { return NodeTraits<First>::budget(list.first) + Others::budget(list.rest); }
+  static constexpr uint32_t slot_count(const List& list) {
+    return greatest_of_two(NodeTraits<First>::slot_count(list.first), Others::slot_count(list.rest));
+  }
 };
 
-template <class Blend, class A, class B> struct NodeTraits<Blended<Blend, A, B>> {
-  using Node = Blended<Blend, A, B>;
+template <class T, class View, class... Operand> struct NodeTraits<Combined<T, View, Operand...>> {
+  using Node = Combined<T, View, Operand...>;
   using S = typename Node::Scalar;
+  using Operands = NodeListTraits<Operand...>;
+  static constexpr int count = NodeList<Operand...>::count;
+
   template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Pose<S>* slots) {
-    const Out a = NodeTraits<A>::template evaluate<Out>(node.a, p, slots);
-    const Out b = NodeTraits<B>::template evaluate<Out>(node.b, p, slots);
-    if constexpr (OperationOf<Blend>::uses_table) return node.blend.combine(a, b, node.table);
-    else return node.blend.combine(a, b);
+    if constexpr (count == 0) {
+      return node.operation.template evaluate<Out>(p, node.table);
+    } else {
+      Out of[static_cast<size_t>(count)] = {};
+      Operands::template evaluate<Out, S>(of, node.operands, p, slots);
+      return combined<Out>(node, of);
+    }
   }
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
-    const Certificate<S> a = NodeTraits<A>::certificate(node.a, reach), b = NodeTraits<B>::certificate(node.b, reach);
-    if constexpr (OperationOf<Blend>::uses_table) return node.blend.certificate(a, b, node.facts, reach.radius);
-    else return node.blend.certificate(a, b);
+    if constexpr (count == 0) {
+      return node.operation.certificate(reach);
+    } else {
+      Certificate<S> of[static_cast<size_t>(count)] = {};
+      Operands::template certificates<S>(of, node.operands, reach);
+      Certificate<S> all = node.operation.certificate(of, node.facts, reach);
+      if constexpr (operand_count_of<T> == kAnyNumber) all.valid = all.valid && node.operation.operand_count() == count;
+      return all;
+    }
   }
-  static constexpr Budget budget(const Node& node) {
-    return NodeTraits<A>::budget(node.a) + NodeTraits<B>::budget(node.b) + cortex_m4_cost(OperationOf<Blend>::value);
-  }
-  static constexpr uint32_t slot_count(const Node& node) {
-    return greatest_of_two(NodeTraits<A>::slot_count(node.a), NodeTraits<B>::slot_count(node.b));
+  static constexpr Budget budget(const Node& node) { return Operands::budget(node.operands) + cortex_m4_cost(node.operation); }
+  static constexpr uint32_t slot_count(const Node& node) { return Operands::slot_count(node.operands); }
+
+ private:
+  template <class Out> static constexpr Out combined(const Node& node, const Out* of) {
+    const T& operation = node.operation;
+    if constexpr (operand_count_of<T> == kAnyNumber) {
+      if constexpr (uses_table<T>) return operation.template combine_all<Out>(of, node.table);
+      else return operation.template combine_all<Out>(of);
+    } else if constexpr (count == 1) {
+      if constexpr (uses_table<T>) return operation.combine(of[0], node.table);
+      else return operation.combine(of[0]);
+    } else {
+      if constexpr (uses_table<T>) return operation.combine(of[0], of[1], node.table);
+      else return operation.combine(of[0], of[1]);
+    }
   }
 };
 
@@ -124,34 +166,9 @@ template <class A> struct NodeTraits<InSlot<A>> {
   }
 };
 
-template <class Blend, class A, class B> constexpr Blended<Blend, A, B> blended(const Blend& blend, const A& a, const B& b) {
-  static_assert(A::kind == Blend::kind && B::kind == Blend::kind, "a blend's operands must be of its own kind");
-  return {blend, a, b, {}, {}};
-}
-
-}  // namespace detail
-
-// Sharp set operations on distances.
-template <class A, class B> constexpr auto unite(const A& a, const B& b) {
-  return detail::blended(SharpUnion<typename A::Scalar>{}, a, b);
-}
-template <class A, class B> constexpr auto intersect(const A& a, const B& b) {
-  return detail::blended(SharpIntersection<typename A::Scalar>{}, a, b);
-}
-template <class A, class B> constexpr auto subtract(const A& a, const B& b) {
-  return detail::blended(SharpSubtraction<typename A::Scalar>{}, a, b);
-}
-
-namespace detail {
-
-template <template <class> class Blend, class S, int K, class A, class B>
-constexpr auto exterior_blended(const Table<S, K>& kernel, S blend_radius, const A& a, const B& b) {
-  Blend<S> blend;
-  blend.scale = ArgumentScale<S>::of(narrow<S>(product(blend_radius, kernel.range)));
-  auto node = blended(blend, a, b);
-  node.table = kernel.view();
-  node.facts = kernel.facts;
-  return node;
+constexpr NodeList<> list() { return {}; }
+template <class First, class... Rest> constexpr NodeList<First, Rest...> list(const First& first, const Rest&... rest) {
+  return {first, list(rest...)};
 }
 
 template <class T> struct SameType { using type = T; };
@@ -159,34 +176,74 @@ template <class T> using NotDeduced = typename SameType<T>::type;
 
 }  // namespace detail
 
-// Li's exterior blends. `kernel` is a table baked from exterior(), which must outlive the field; `blend_radius` is
-// Li's delta in metres: operands closer than delta + epsilon in value are blended. Several operands are blended one
-// after the other, in the order given (Li, section 4).
-template <class S, int K, class A, class B>
-constexpr auto unite(const Table<S, K>& kernel, detail::NotDeduced<S> blend_radius, const A& a, const B& b) {
-  return detail::exterior_blended<ExteriorUnion>(kernel, blend_radius, a, b);
+// Any operation with its operands, in order. One with a table takes it first; the table must outlive the field.
+template <class T, class... Operand> constexpr auto combine(const T& operation, const Operand&... operand) {
+  static_assert(((Operand::kind == detail::operand_kind_of<T>) && ...), "an operand is of the wrong kind");
+  static_assert(!detail::uses_table<T>, "this operation needs a table");
+  static_assert(detail::operand_count_of<T> == kAnyNumber || detail::operand_count_of<T> == sizeof...(Operand),
+                "not the number of operands that the operation takes");
+  return Combined<T, TableView<typename T::Scalar>, Operand...>{operation, {}, {}, detail::list(operand...)};
 }
-template <class S, int K, class A, class B, class... More>
-constexpr auto unite(const Table<S, K>& kernel, detail::NotDeduced<S> blend_radius, const A& a, const B& b,
+template <class T, class S, int segments, int degree, int bits, class... Operand>
+constexpr auto combine(const T& operation, const Table<S, segments, degree, bits>& table, const Operand&... operand) {
+  static_assert(((Operand::kind == detail::operand_kind_of<T>) && ...), "an operand is of the wrong kind");
+  static_assert(detail::uses_table<T>, "this operation has no table");
+  static_assert(detail::operand_count_of<T> == kAnyNumber || detail::operand_count_of<T> == sizeof...(Operand),
+                "not the number of operands that the operation takes");
+  return Combined<T, TableView<S, degree, bits>, Operand...>{operation, table.view(), table.facts, detail::list(operand...)};
+}
+
+// Sharp set operations on distances.
+template <class A, class B> constexpr auto unite(const A& a, const B& b) {
+  return combine(SharpUnion<typename A::Scalar>{}, a, b);
+}
+template <class A, class B> constexpr auto intersect(const A& a, const B& b) {
+  return combine(SharpIntersection<typename A::Scalar>{}, a, b);
+}
+template <class A, class B> constexpr auto subtract(const A& a, const B& b) {
+  return combine(SharpSubtraction<typename A::Scalar>{}, a, b);
+}
+
+namespace detail {
+
+template <template <class> class Blend, class S, int segments, int degree, int bits, class A, class B>
+constexpr auto additive(const Table<S, segments, degree, bits>& kernel, S length, const A& a, const B& b) {
+  Blend<S> blend;
+  blend.scale = ArgumentScale<S>::of(narrow<S>(product(length, kernel.range)));
+  return combine(blend, kernel, a, b);
+}
+
+}  // namespace detail
+
+// Additive blends. `kernel` is a table baked from one of curve/kernel.hpp, which must outlive the field; `length`, metres,
+// is what it is scaled with: delta of Li's exterior blend, epsilon of his interior one, the range of a polynomial, and of
+// log-sum-exp the range as well. Several operands are blended one after the other, in the order given (Li, section 4).
+template <class S, int segments, int degree, int bits, class A, class B>
+constexpr auto unite(const Table<S, segments, degree, bits>& kernel, detail::NotDeduced<S> length, const A& a, const B& b) {
+  return detail::additive<AdditiveUnion>(kernel, length, a, b);
+}
+template <class S, int segments, int degree, int bits, class A, class B, class... More>
+constexpr auto unite(const Table<S, segments, degree, bits>& kernel, detail::NotDeduced<S> length, const A& a, const B& b,
                      const More&... more) {
-  return unite(kernel, blend_radius, unite(kernel, blend_radius, a, b), more...);
+  return unite(kernel, length, unite(kernel, length, a, b), more...);
 }
-template <class S, int K, class A, class B>
-constexpr auto intersect(const Table<S, K>& kernel, detail::NotDeduced<S> blend_radius, const A& a, const B& b) {
-  return detail::exterior_blended<ExteriorIntersection>(kernel, blend_radius, a, b);
+template <class S, int segments, int degree, int bits, class A, class B>
+constexpr auto intersect(const Table<S, segments, degree, bits>& kernel, detail::NotDeduced<S> length, const A& a, const B& b) {
+  return detail::additive<AdditiveIntersection>(kernel, length, a, b);
 }
-template <class S, int K, class A, class B>
-constexpr auto subtract(const Table<S, K>& kernel, detail::NotDeduced<S> blend_radius, const A& a, const B& b) {
-  return detail::exterior_blended<ExteriorSubtraction>(kernel, blend_radius, a, b);
+template <class S, int segments, int degree, int bits, class A, class B>
+constexpr auto subtract(const Table<S, segments, degree, bits>& kernel, detail::NotDeduced<S> length, const A& a, const B& b) {
+  return detail::additive<AdditiveSubtraction>(kernel, length, a, b);
 }
 
 // A soft skeleton with its potential, a table over the squared distance that must outlive the field.
-template <class Shape, class S, int K> constexpr WithTable<Shape> with_potential(const Shape& shape, const Table<S, K>& table) {
-  return {shape, table.view()};
+template <class Shape, class S, int segments>
+constexpr auto with_potential(const Shape& shape, const Table<S, segments>& table) {
+  return combine(shape, table);
 }
 // F = sum of all operands' intensities.
 template <class A, class B> constexpr auto soft_sum(const A& a, const B& b) {
-  return detail::blended(SoftSum<typename A::Scalar>{}, a, b);
+  return combine(SoftSum<typename A::Scalar>{}, a, b);
 }
 template <class A, class B, class... More> constexpr auto soft_sum(const A& a, const B& b, const More&... more) {
   return soft_sum(soft_sum(a, b), more...);

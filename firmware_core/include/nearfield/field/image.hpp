@@ -41,7 +41,7 @@ inline constexpr uint32_t greatest_index_bits = 8;
 
 }  // namespace image_format
 
-inline constexpr int kStackDepth = 8;   // results waiting to be blended
+inline constexpr int kStackDepth = 18;  // results waiting to be blended: an I-patch of eight sides has two for each
 inline constexpr int kFrameDepth = 4;   // nested frames
 inline constexpr uint32_t kImageWordLimit = 1u << 20;
 
@@ -128,16 +128,10 @@ template <class S> class Inspector {
   }
 
   constexpr void step(Operation operation, uint32_t words) {
-    const Budget cost = cortex_m4_cost(operation);
-    result_.budget = result_.budget + cost;
     switch (operation) {
-#define NEARFIELD_CASE(code, name, type) \
-  case Operation::name: return shape<type<S>>(words);
-      NEARFIELD_SHAPES(NEARFIELD_CASE) NEARFIELD_SHAPES_WITH_TABLE(NEARFIELD_CASE)
-#undef NEARFIELD_CASE
-#define NEARFIELD_CASE(code, name, type) \
-  case Operation::name: return blend<type<S>>(words);
-      NEARFIELD_BLENDS(NEARFIELD_CASE) NEARFIELD_BLENDS_WITH_TABLE(NEARFIELD_CASE)
+#define NEARFIELD_CASE(code, name, type, value, gradient) \
+  case Operation::name: return operate<type<S>>(words);
+      NEARFIELD_OPERATIONS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
       case Operation::enter_pose: return enter_pose(words);
       case Operation::enter_slot: return enter_slot(words);
@@ -147,7 +141,7 @@ template <class S> class Inspector {
   }
 
   template <class T> constexpr bool payload_fits(uint32_t words) {
-    constexpr uint32_t expected = payload_words<T> + (OperationOf<T>::uses_table ? 1u : 0u);
+    constexpr uint32_t expected = payload_words<T> + (uses_table<T> ? 1u : 0u);
     if (words != expected) fail(LoadStatus::truncated_operation);
     return words == expected;
   }
@@ -173,29 +167,33 @@ template <class S> class Inspector {
     if (!certificate.valid) fail(LoadStatus::parameter_out_of_range);
   }
 
-  template <class T> constexpr void shape(uint32_t words) {
+  template <class T> constexpr void operate(uint32_t words) {
     if (!payload_fits<T>(words)) return;
-    if constexpr (OperationOf<T>::uses_table) {
+    const T operation = read_payload<T>(image_ + payload_);
+    if (!take_operands<T>(operation)) return;
+    if constexpr (uses_table<T>) {
       if (!table_found<T>()) return;
     }
-    push(T::kind, read_payload<T>(image_ + payload_).certificate(reach_[frames_]));
-  }
-
-  template <class T> constexpr void blend(uint32_t words) {
-    if (!payload_fits<T>(words)) return;
-    if (stack_ < floor() + 2 || kinds_[stack_ - 1] != T::kind || kinds_[stack_ - 2] != T::kind) {
-      fail(LoadStatus::kind_mismatch);
-      return;
-    }
-    const T blend = read_payload<T>(image_ + payload_);
-    stack_ -= 2;
-    if constexpr (OperationOf<T>::uses_table) {
-      if (!table_found<T>()) return;
-      push(T::kind, blend.certificate(certificates_[stack_], certificates_[stack_ + 1], read_facts(image_ + table_),
-                                      reach_[frames_].radius));
+    result_.budget = result_.budget + cortex_m4_cost(operation);
+    if constexpr (operand_count_of<T> == 0) {
+      push(T::kind, operation.certificate(reach_[frames_]));
     } else {
-      push(T::kind, blend.certificate(certificates_[stack_], certificates_[stack_ + 1]));
+      const TableFacts facts = uses_table<T> ? read_facts(image_ + table_) : TableFacts{};
+      push(T::kind, operation.certificate(certificates_ + stack_, facts, reach_[frames_]));
     }
+  }
+  // Takes them off the stack, where their certificates stay until the next push.
+  template <class T> constexpr bool take_operands(const T& operation) {
+    int count = operand_count_of<T>;
+    if constexpr (operand_count_of<T> == kAnyNumber) count = operation.operand_count();
+    bool fit = count >= 0 && count <= stack_ - floor();
+    for (int i = 0; fit && i < count; ++i) fit = kinds_[stack_ - 1 - i] == operand_kind_of<T>;
+    if (!fit || (operand_count_of<T> == kAnyNumber && count < 1)) {
+      fail(LoadStatus::kind_mismatch);
+      return false;
+    }
+    stack_ -= count;
+    return true;
   }
 
   constexpr void enter(const Vector3<S>& translation, PoseOrigin origin) {
@@ -210,6 +208,7 @@ template <class S> class Inspector {
     if (frames_ > result_.frame_depth) result_.frame_depth = frames_;
   }
   constexpr void enter_pose(uint32_t words) {
+    result_.budget = result_.budget + cortex_m4_cost(Operation::enter_pose);
     if (words != payload_words<Pose<S>>) {
       fail(LoadStatus::truncated_operation);
       return;
@@ -222,6 +221,7 @@ template <class S> class Inspector {
     enter(pose.translation, PoseOrigin::constant);
   }
   constexpr void enter_slot(uint32_t words) {
+    result_.budget = result_.budget + cortex_m4_cost(Operation::enter_slot);
     if (words != 1) {
       fail(LoadStatus::truncated_operation);
       return;
@@ -237,6 +237,7 @@ template <class S> class Inspector {
   }
   // A frame must leave exactly one result more than it found.
   constexpr void leave(uint32_t words) {
+    result_.budget = result_.budget + cortex_m4_cost(Operation::leave);
     if (words != 0 || frames_ == 0 || stack_ != floors_[frames_ - 1] + 1) {
       fail(LoadStatus::frames_unbalanced);
       return;

@@ -39,6 +39,12 @@ template <class S> class Program {
   }
 
  private:
+  // Results that lie in the stack as plain words.
+  template <class Out> struct Results {
+    const uint32_t* words;
+    Out operator[](int i) const { return fetch<Out>(words + static_cast<uint32_t>(i) * payload_words<Out>); }
+  };
+
   // The result on top of the stack is kept apart, so that it stays in registers. What is below it, and the frames, are
   // plain words: they need no initialisation.
   template <class Out> struct Machine {
@@ -54,6 +60,12 @@ template <class S> class Program {
     Out pop_below() {
       --depth;
       return fetch<Out>(below + depth * result_words);
+    }
+    // The last `count` results; the next is to be stored in `top`.
+    Results<Out> take(uint32_t count) {
+      store(below + depth * result_words, top);
+      depth -= count - 1;
+      return {below + depth * result_words};
     }
     void enter(const Pose<S>* slot, const uint32_t* constant, const Vector3<S>& inner_point) {
       store(outer_points + frame_depth * point_words, point);
@@ -98,32 +110,36 @@ template <class S> class Program {
     return {t + image_format::table_header_words, static_cast<int>(t[0]), static_cast<int>(t[1])};
   }
 
+  template <class T, class Out> __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
+    constexpr int count = detail::operand_count_of<T>;
+    const T operation = fetch<T>(payload);
+    if constexpr (count == kAnyNumber) {
+      operate_on_all<T>(m, operation, payload);
+    } else if constexpr (detail::uses_table<T>) {
+      const TableView<S> view = table(payload[payload_words<T>]);
+      if constexpr (count == 0) m.push(operation.template evaluate<Out>(m.point, view));
+      else if constexpr (count == 1) m.top = operation.combine(m.top, view);
+      else m.top = operation.combine(m.pop_below(), m.top, view);
+    } else {
+      if constexpr (count == 0) m.push(operation.template evaluate<Out>(m.point));
+      else if constexpr (count == 1) m.top = operation.combine(m.top);
+      else m.top = operation.combine(m.pop_below(), m.top);
+    }
+  }
+  // Apart from the others, so that what they need does not weigh on all.
+  template <class T, class Out>
+  __attribute__((noinline)) void operate_on_all(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
+    const Results<Out> of = m.take(static_cast<uint32_t>(operation.operand_count()));
+    if constexpr (detail::uses_table<T>) m.top = operation.template combine_all<Out>(of, table(payload[payload_words<T>]));
+    else m.top = operation.template combine_all<Out>(of);
+  }
+
   template <class Out>
   __attribute__((always_inline)) void step(Machine<Out>& m, Operation operation, const uint32_t* payload) const {
     switch (operation) {
-#define NEARFIELD_CASE(code, name, type)                                      \
-  case Operation::name:                                                       \
-    m.push(fetch<type<S>>(payload).template evaluate<Out>(m.point));          \
-    return;
-      NEARFIELD_SHAPES(NEARFIELD_CASE)
-#undef NEARFIELD_CASE
-#define NEARFIELD_CASE(code, name, type)                                                                              \
-  case Operation::name:                                                                                               \
-    m.push(fetch<type<S>>(payload).template evaluate<Out>(m.point, table(payload[payload_words<type<S>>])));          \
-    return;
-      NEARFIELD_SHAPES_WITH_TABLE(NEARFIELD_CASE)
-#undef NEARFIELD_CASE
-#define NEARFIELD_CASE(code, name, type)                              \
-  case Operation::name:                                               \
-    m.top = fetch<type<S>>(payload).combine(m.pop_below(), m.top);    \
-    return;
-      NEARFIELD_BLENDS(NEARFIELD_CASE)
-#undef NEARFIELD_CASE
-#define NEARFIELD_CASE(code, name, type)                                                                     \
-  case Operation::name:                                                                                      \
-    m.top = fetch<type<S>>(payload).combine(m.pop_below(), m.top, table(payload[payload_words<type<S>>]));   \
-    return;
-      NEARFIELD_BLENDS_WITH_TABLE(NEARFIELD_CASE)
+#define NEARFIELD_CASE(code, name, type, value, gradient) \
+  case Operation::name: return operate<type<S>>(m, payload);
+      NEARFIELD_OPERATIONS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
       case Operation::enter_pose:
         m.enter(nullptr, payload, to_inner(fetch<Pose<S>>(payload), m.point));

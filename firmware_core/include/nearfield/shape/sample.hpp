@@ -5,14 +5,16 @@
 
 namespace nearfield {
 
-// What a field's value means (MATHS: kinds). Kinds never mix.
+// What a field's value means. Kinds never mix: a blend takes operands of its own kind, and a conversion is an operation.
 enum class Kind : uint8_t {
   distance = 1,   // metres, negative inside; the gradient has no unit and points outwards
-  intensity = 2,  // sum of potentials, larger inside; the gradient is per kIntensityGradientLength
+  intensity = 2,  // sum of potentials (KW), 0.5 on the surface, larger inside
+  ray = 3,        // ray-linear (Hsu), >= 0: 1 at the influence boundary, 0.5 on the soft surface, smaller inside
+  algebraic = 4,  // any function, 0 on the surface, negative inside; saturates at the ends of the number range
 };
 
-// Gradients of intensities are given per 1/16 m, so that those of small influence radii fit the number range.
-inline constexpr int kIntensityGradientLengthLog2 = -4;
+// Gradients of all kinds but distances are per 1/16 m, so that those of small influence radii fit the number range.
+inline constexpr int kGradientLengthLog2 = -4;
 
 template <class S> struct Value {
   using Scalar = S;

@@ -11,7 +11,7 @@ namespace nearfield {
 template <class S> struct Influence {
   S radius{};          // R, metres
   S weight{};          // may be negative
-  S gradient_factor{}; // 2 R0 / R, R0 = kIntensityGradientLength
+  S gradient_factor{}; // 2 R0 / R, R0 = 1/16 m (sample.hpp)
   S inverse_radius{};  // 1 / R, 1/m
   SquareScale<S> scale;
 
@@ -63,6 +63,7 @@ template <class S> constexpr Certificate<S> intensity_certificate(Reach<S> reach
 template <class S> struct SoftPoint {
   using Scalar = S;
   static constexpr Kind kind = Kind::intensity;
+  static constexpr bool samples_table = true;
   Vector3<S> center;
   Influence<S> influence;
 
@@ -79,6 +80,7 @@ template <class S> struct SoftPoint {
 template <class S> struct SoftSegment {
   using Scalar = S;
   static constexpr Kind kind = Kind::intensity;
+  static constexpr bool samples_table = true;
   Capsule<S> segment;  // of radius 0
   Influence<S> influence;
 
