@@ -24,8 +24,7 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
     const detail::Ordered<Out> operands = detail::ordered<operation>(a, b);
     const Out& deciding = operands.deciding;
     const Out& other = operands.other;
-    const auto gap = operation == SetOperation::unite ? difference_magnitude(other.value, deciding.value)
-                                                      : difference_magnitude(deciding.value, other.value);
+    const auto gap = detail::gap<operation>(deciding.value, other.value);
     if (!scale.contains(gap)) return deciding;
     const TableSample<S> h = sample_table<Out::has_gradient>(kernel, argument(gap, operands.first_decides));
     const S added = narrow_in_range<S>(product(scale.limit, h.value));
@@ -78,12 +77,6 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
   static constexpr S mixed(S deciding, S other, S slope) {
     return add_in_range(deciding, narrow_in_range<S>(product(slope, subtract_in_range(deciding, other))));
   }
-
-  // high - low >= 0, exact even where S has no room for it.
-  template <int F, class R> static constexpr uint32_t difference_magnitude(Fixed<F, R> high, Fixed<F, R> low) {
-    return static_cast<uint32_t>(high.raw()) - static_cast<uint32_t>(low.raw());
-  }
-  static constexpr float difference_magnitude(float high, float low) { return high - low; }
 
   // A non-negative Q30 bound as a rate, rounded up; 0 for negative ones.
   static constexpr Rate rate_up(int64_t q30) {

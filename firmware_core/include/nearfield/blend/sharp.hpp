@@ -26,6 +26,17 @@ template <SetOperation operation, class Out> constexpr Ordered<Out> ordered(cons
   return first_decides ? Ordered<Out>{a, second, true} : Ordered<Out>{second, a, false};
 }
 
+// high - low >= 0 in units of the last place, exact even where S has no room for it.
+template <int F, class R> constexpr uint32_t difference_magnitude(Fixed<F, R> high, Fixed<F, R> low) {
+  return static_cast<uint32_t>(high.raw()) - static_cast<uint32_t>(low.raw());
+}
+constexpr float difference_magnitude(float high, float low) { return high - low; }
+
+// How far the deciding operand is ahead of another.
+template <SetOperation operation, class S> constexpr auto gap(S deciding, S other) {
+  return operation == SetOperation::unite ? difference_magnitude(other, deciding) : difference_magnitude(deciding, other);
+}
+
 }  // namespace detail
 
 // The nearer (union) or farther operand as it is. Exact: no rounding of its own. On ties the first operand's gradient.

@@ -202,6 +202,31 @@ constexpr bool coefficients_in_range(const TableView<S, degree, bits>& table, in
   return true;
 }
 
+namespace detail {
+
+// Widens `values` by those between the ends of a segment. Of each sixteenth, a turning point in it lies no farther beyond
+// an end than its slope can carry it.
+constexpr void include_turning_points(IntegerRange& values, const int64_t* c, int down) {
+  const auto value_at = [&](int64_t j) {
+    return c[0] + shifted_down(256 * j * c[1] + 16 * j * j * c[2] + j * j * j * c[3], 12 + down);
+  };
+  const auto slope_at = [&](int64_t j) { return (256 * c[1] + 32 * j * c[2] + 3 * j * j * c[3]) >> 8; };
+  const int64_t bow = 3 * magnitude_of(c[3]) / 1024 + 1;  // of the slope, above or below its chord
+  for (int j = -8; j < 8; ++j) {
+    IntegerRange slope;
+    slope.include(slope_at(j));
+    slope.include(slope_at(j + 1));
+    const int64_t steepest_fall = bow - slope.least, steepest_rise = slope.greatest + bow;
+    if (steepest_fall < 0 || steepest_rise < 0) continue;
+    const int64_t left = value_at(j), right = value_at(j + 1);
+    const int64_t fall = shifted_down(steepest_fall, 4 + down) + 1, rise = shifted_down(steepest_rise, 4 + down) + 1;
+    values.include(left - fall > right - rise ? left - fall : right - rise);
+    values.include(left + rise < right + fall ? left + rise : right + fall);
+  }
+}
+
+}  // namespace detail
+
 // Value and slope ranges of a table, rounded outwards, from its coefficients alone; the errors are left 0. Integer
 // arithmetic: the same on the host, in a constant expression and on a target that checks an image.
 template <class S, int degree, int bits>
@@ -225,12 +250,7 @@ constexpr TableFacts ranges_of(const TableView<S, degree, bits>& table, int segm
     const int64_t right = c[0] + detail::shifted_down(4 * c[1] + 2 * c[2] + c[3], 3 + k - headroom);
     values.include(left);
     values.include(right);
-    // A turning point within the segment lies no farther beyond an end than the slope can carry it.
-    if (slope.least < 0 && slope.greatest > 0) {
-      const int64_t fall = detail::shifted_down(-slope.least, k - headroom) + 1, rise = detail::shifted_down(slope.greatest, k - headroom) + 1;
-      values.include(left - fall > right - rise ? left - fall : right - rise);
-      values.include(left + rise < right + fall ? left + rise : right + fall);
-    }
+    if (slope.least < 0 && slope.greatest > 0) detail::include_turning_points(values, c, k - headroom);
   }
   // Q24 from Q(30 - headroom), outwards, in 64 bits.
   const auto to_rate = [headroom](int64_t x) { return headroom <= 6 ? x >> (6 - headroom) : x * (int64_t{1} << (headroom - 6)); };
