@@ -304,7 +304,7 @@ void query_costs() {
 
 int main() {
   if (!board::prepare_instruction_counter()) return 1;
-  board::write("worst instructions of each operation on this core, of those stated in budget.hpp\n");
+  board::write("worst instructions of each operation on this core, of those stated in field/operations.hpp\n");
   Builder sphere, capsule, box, cylinder, sum;
   shape_cost("sphere", kBall, sphere);
   shape_cost("capsule", Capsule<Q>(Vector3<Q>{-0.3, 0.1, 0.0}, Vector3<Q>{0.4, 0.2, 0.3}, Q(0.1)), capsule);

@@ -31,7 +31,7 @@ constexpr Budget cortex_m4_cost(Operation operation) {
 }
 template <class T> constexpr Budget cortex_m4_cost(const T& operation) {
   const Budget cost = cortex_m4_cost(OperationOf<T>::value);
-  if constexpr (detail::operand_count_of<T> == kAnyNumber) return operation.operand_count() * cost;
+  if constexpr (detail::operand_count_of<T> == kAnyNumber) return static_cast<uint32_t>(operation.operand_count()) * cost;
   else return cost;
 }
 
