@@ -4,15 +4,18 @@
 #include <nearfield/curve/curves.hpp>
 #include <nearfield/curve/tabulate.hpp>
 
+#include <board/cost_rows.hpp>
 #include <board/semihosting.hpp>
-#include <board/worst_instruction_count.hpp>
 
 #include <float_curves.hpp>
 
 namespace {
 
 using namespace nearfield;
+using board::Cost;
 using board::ValueAndSlope;
+using board::write_padded;
+using board::write_right_aligned;
 using Q = Fixed<27>;
 
 // Arguments in [0, 1). Every border of up to 64 segments and its two neighbours, then numbers anywhere; in
@@ -56,34 +59,7 @@ ValueAndSlope<float> words_of(const TableSample<float>& sample) { return {sample
 
 bool failed = false;
 
-struct Cost {
-  uint32_t value;
-  uint32_t both;
-};
-
-void write_padded(const char* text, size_t width) {
-  board::write(text);
-  size_t length = 0;
-  while (text[length] != '\0') ++length;
-  for (; length < width; ++length) board::write(" ");
-}
-void write_right_aligned(uint32_t number, size_t width) {
-  size_t digits = 1;
-  for (uint32_t rest = number; rest >= 10; rest /= 10) ++digits;
-  for (; digits < width; ++digits) board::write(" ");
-  board::write_decimal(number);
-}
-
-void write_row(const char* name, Cost cost) {
-  write_padded(name, 40);
-  write_right_aligned(cost.value, 7);
-  write_right_aligned(cost.both, 7);
-  board::write("\n");
-  if (cost.value == 0 || cost.both == 0) {
-    board::write("  0 is no count: a measurement failed\n");
-    failed = true;
-  }
-}
+void row(const char* name, Cost cost) { failed = !board::write_row(name, cost) || failed; }
 
 // A kernel without and with slope, over arguments of its own kind; lambdas both.
 template <class Value, class Both> Cost fixed_cost(Value value, Both both, uint32_t (*argument)(uint32_t) = table_argument) {
@@ -146,40 +122,40 @@ int main() {
 
   board::write("worst instructions in line on " NEARFIELD_CORE ": value, value and slope\n");
   const Cost table = table_cost<3, 32>();
-  write_row("cubic table, 32 bits", table);
-  write_row("quadratic table, 32 bits", table_cost<2, 32>());
-  write_row("linear table, 32 bits", table_cost<1, 32>());
+  row("cubic table, 32 bits", table);
+  row("quadratic table, 32 bits", table_cost<2, 32>());
+  row("linear table, 32 bits", table_cost<1, 32>());
   const Cost short_table = table_cost<3, 16>();
-  write_row("cubic table, 16 bits", short_table);
-  write_row("quadratic table, 16 bits", table_cost<2, 16>());
-  write_row("linear table, 16 bits", table_cost<1, 16>());
-  write_row("cubic table of a program, called",
+  row("cubic table, 16 bits", short_table);
+  row("quadratic table, 16 bits", table_cost<2, 16>());
+  row("linear table, 16 bits", table_cost<1, 16>());
+  row("cubic table of a program, called",
             fixed_cost([](uint32_t t) { return value_called(step_view, t); }, [](uint32_t t) { return both_called(step_view, t); }));
-  write_row("mirrored curve at its own argument",
+  row("mirrored curve at its own argument",
             fixed_cost([](uint32_t t) { return kMirroredStep.sample<false>(Q::from_raw(static_cast<int32_t>(t))).value.raw(); },
                        [](uint32_t t) {
                          const auto sample = kMirroredStep.sample(Q::from_raw(static_cast<int32_t>(t)));
                          return ValueAndSlope<int32_t>{sample.value.raw(), sample.slope.raw()};
                        },
                        step_argument));
-  write_row("cubic table, float",
+  row("cubic table, float",
             float_cost([](float t) { return sample_table<false>(kFloatStep.view(), t).value; },
                        [](float t) { return words_of(sample_table<true>(kFloatStep.view(), t)); }));
 
   const Cost wyvill = NEARFIELD_FUNCTION_COST(wyvill), spline = NEARFIELD_FUNCTION_COST(natural_spline);
   const Cost bezier = NEARFIELD_FUNCTION_COST(bezier), bspline = NEARFIELD_FUNCTION_COST(bspline);
   const Cost arctangent = NEARFIELD_FUNCTION_COST(arctangent), parametric = NEARFIELD_FUNCTION_COST(parametric_bezier);
-  write_row("float: step H_3 by its pieces", NEARFIELD_FUNCTION_COST(polynomial_step));
-  write_row("float: rising cutoff R_2", NEARFIELD_FUNCTION_COST(rising_cutoff));
-  write_row("float: logistic step", NEARFIELD_FUNCTION_COST(logistic));
-  write_row("float: cubic potential", NEARFIELD_FUNCTION_COST(cubic));
-  write_row("float: Wyvill potential, of r^2", wyvill);
-  write_row("float: Blanc potential, of r^2", NEARFIELD_FUNCTION_COST(blanc));
-  write_row("float: natural spline, 5 points", spline);
-  write_row("float: Bezier, degree 5", bezier);
-  write_row("float: B-spline, degree 3, 3 knots", bspline);
-  write_row("float: arctangent", arctangent);
-  write_row("float: parametric Bezier", parametric);
+  row("float: step H_3 by its pieces", NEARFIELD_FUNCTION_COST(polynomial_step));
+  row("float: rising cutoff R_2", NEARFIELD_FUNCTION_COST(rising_cutoff));
+  row("float: logistic step", NEARFIELD_FUNCTION_COST(logistic));
+  row("float: cubic potential", NEARFIELD_FUNCTION_COST(cubic));
+  row("float: Wyvill potential, of r^2", wyvill);
+  row("float: Blanc potential, of r^2", NEARFIELD_FUNCTION_COST(blanc));
+  row("float: natural spline, 5 points", spline);
+  row("float: Bezier, degree 5", bezier);
+  row("float: B-spline, degree 3, 3 knots", bspline);
+  row("float: arctangent", arctangent);
+  row("float: parametric Bezier", parametric);
 
   board::write("value and slope: direct in float, relative to the cubic in r^2, any of them as a table\n");
   write_comparison("cubic polynomial in r^2", wyvill, wyvill, table);

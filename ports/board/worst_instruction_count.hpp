@@ -1,11 +1,15 @@
 // What a kernel costs at the worst: the greatest number of instructions over a list of arguments, exact. A
-// kernel is a callable that takes one word (uint32_t or float) and returns one word or a ValueAndSlope of
-// two.
+// kernel is a callable that takes and returns words (uint32_t, int32_t or float): one, or Several.
 #pragma once
 
 #include <board/instruction_counter.hpp>
 
 namespace nearfield::board {
+
+template <class Word, int count>
+struct Several {
+  Word word[static_cast<size_t>(count)];
+};
 
 template <class Word>
 struct ValueAndSlope {
@@ -15,46 +19,83 @@ struct ValueAndSlope {
 
 namespace detail {
 
-// What a measured loop reads and writes: the compiler can neither drop the kernel nor move it out of the
-// loop.
-template <class Argument, class Word>
+// Arguments and results as the words of a measured loop's memory.
+template <class T>
+struct WordsOf {
+  using Word = T;
+  static constexpr int count = 1;
+  static T load(const volatile Word* words) { return words[0]; }
+  static void store(volatile Word* words, T value) { words[0] = value; }
+};
+template <class W>
+struct WordsOf<ValueAndSlope<W>> {
+  using Word = W;
+  static constexpr int count = 2;
+  static void store(volatile Word* words, const ValueAndSlope<W>& value) {
+    words[0] = value.value;
+    words[1] = value.slope;
+  }
+};
+template <class W, int n>
+struct WordsOf<Several<W, n>> {
+  using Word = W;
+  static constexpr int count = n;
+  // Not loops: compilers keep them.
+  template <int i = 0>
+  static void load_from(const volatile Word* words, Several<W, n>& value) {
+    value.word[i] = words[i];
+    if constexpr (i + 1 < n) load_from<i + 1>(words, value);
+  }
+  static Several<W, n> load(const volatile Word* words) {
+    Several<W, n> value;
+    load_from(words, value);
+    return value;
+  }
+  template <int i = 0>
+  static void store(volatile Word* words, const Several<W, n>& value) {
+    words[i] = value.word[i];
+    if constexpr (i + 1 < n) store<i + 1>(words, value);
+  }
+};
+
+// A loop's memory: the compiler can neither drop the kernel nor move it out of the loop.
+template <class Argument, class Result>
 struct Cells {
-  volatile Argument argument;
-  volatile Word value;
-  volatile Word slope;
-
-  void store(Word result) { value = result; }
-  void store(const ValueAndSlope<Word>& result) {
-    value = result.value;
-    slope = result.slope;
-  }
+  volatile typename WordsOf<Argument>::Word argument[static_cast<size_t>(WordsOf<Argument>::count)];
+  volatile typename WordsOf<Result>::Word result[static_cast<size_t>(WordsOf<Result>::count)];
 };
 
-template <class Result>
-struct ResultOf {
-  using Word = Result;
-  template <class Argument>
-  static Result unchanged(Argument argument) {
-    return static_cast<Word>(argument);
+// The kernel that does nothing: copies the first word of its argument to all of its result.
+template <class Result, class Argument>
+Result copied(const Argument& argument) {
+  using Word = typename WordsOf<Result>::Word;
+  if constexpr (WordsOf<Argument>::count == 1) {
+    const Word word = static_cast<Word>(argument);
+    if constexpr (WordsOf<Result>::count == 1) return word;
+    else return {word, word};
+  } else {
+    const Word word = argument.word[0];
+    if constexpr (WordsOf<Result>::count == 1) {
+      return word;
+    } else {
+      Result result;
+      for (Word& each : result.word) each = word;
+      return result;
+    }
   }
-};
-template <class Result>
-struct ResultOf<ValueAndSlope<Result>> {
-  using Word = Result;
-  template <class Argument>
-  static ValueAndSlope<Word> unchanged(Argument argument) {
-    return {static_cast<Word>(argument), static_cast<Word>(argument)};
-  }
-};
+}
 
 template <class Argument, class Kernel>
 [[gnu::noipa]] uint32_t loop_instructions(Kernel kernel, Argument argument, uint32_t repetitions) {
   static_assert(__is_class(Kernel),
                 "a pointer to a function would be called through the pointer: use a lambda");
-  static Cells<Argument, typename ResultOf<decltype(kernel(argument))>::Word> cells;
-  cells.argument = argument;
+  using Result = decltype(kernel(argument));
+  static Cells<Argument, Result> cells;
+  WordsOf<Argument>::store(cells.argument, argument);
   start_instruction_count();
-  for (uint32_t left = repetitions; left != 0; --left) cells.store(kernel(cells.argument));
+  for (uint32_t left = repetitions; left != 0; --left) {
+    WordsOf<Result>::store(cells.result, kernel(WordsOf<Argument>::load(cells.argument)));
+  }
   return stop_instruction_count();
 }
 
@@ -79,7 +120,7 @@ template <class Kernel, class ArgumentAt>
 uint32_t worst_instruction_count(Kernel kernel, ArgumentAt argument_at, uint32_t count) {
   using Argument = decltype(argument_at(0));
   using Result = decltype(kernel(argument_at(0)));
-  const auto copy = [](Argument argument) { return detail::ResultOf<Result>::unchanged(argument); };
+  const auto copy = [](Argument argument) { return detail::copied<Result>(argument); };
   const uint32_t loop = turn_instructions(copy, argument_at(0));
   uint32_t worst = 0;
   for (uint32_t i = 0; i < count; ++i) {

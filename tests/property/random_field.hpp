@@ -6,35 +6,100 @@
 #include <nearfield/field/program.hpp>
 
 #include "property/conversion.hpp"
+#include "reference/additive_blends.hpp"
 #include "reference/field.hpp"
 #include "reference/random.hpp"
+#include "reference/step_curves.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
 
 namespace nearfield::property {
 
-/// Li's exterior blends with H_order, epsilon / delta = ratio.
+/// What one kernel's table stands for: the smooth maximum of a length in metres.
+enum class BlendFamily {
+  exterior, two_sided_exterior, interior, two_sided_interior, log_sum_exp, quadratic, cubic, log_sum_exp_of_any, count
+};
+inline const char* family_name(BlendFamily family) {
+  constexpr const char* names[] = {"exterior", "exterior, two-sided", "interior", "interior, two-sided",
+                                   "log-sum-exp", "quadratic", "cubic", "log-sum-exp of any number"};
+  return names[static_cast<std::size_t>(family)];
+}
+
 template <class S>
 struct BlendKernel {
-  int order;
-  Real ratio;
+  BlendFamily family;
+  int order;  // the n of the H_n in it, 3 for kernels at least as smooth
+  std::function<reference::Blend(Real length)> exact;
   Table<S, 32> table;
+  Sides sides = Sides::alike;
 };
 
 template <class S>
-const std::array<BlendKernel<S>, 6>& blend_kernels() {
-  static const std::array<BlendKernel<S>, 6> kernels = {{
-      {1, 0.25L, bake<S>(exterior(step::polynomial<1>, 0.25))},
-      {1, 1, bake<S>(exterior(step::polynomial<1>, 1.0))},
-      {2, 0.25L, bake<S>(exterior(step::polynomial<2>, 0.25))},
-      {2, 1, bake<S>(exterior(step::polynomial<2>, 1.0))},
-      {3, 0.25L, bake<S>(exterior(step::polynomial<3>, 0.25))},
-      {3, 1, bake<S>(exterior(step::polynomial<3>, 1.0))},
-  }};
+const std::vector<BlendKernel<S>>& blend_kernels() {
+  static const std::vector<BlendKernel<S>> kernels = [] {
+    std::vector<BlendKernel<S>> list;
+    const auto add_exterior = [&list](int order, double ratio) {
+      const reference::UnitStep step{reference::StepKind::polynomial, order, 0};
+      list.push_back({BlendFamily::exterior, order,
+                      [=](Real delta) { return reference::exterior_blend(step, delta, delta * static_cast<Real>(ratio)); },
+                      bake<S>(exterior(step::Polynomial{order}, ratio))});
+    };
+    for (const int order : {1, 2, 3}) {
+      for (const double ratio : {0.25, 1.0}) add_exterior(order, ratio);
+    }
+    const auto steep = reference::step_with_slope(reference::RisingCutoffCurve(2));
+    for (const double ratio : {0.5, 1.0}) {
+      list.push_back({BlendFamily::two_sided_exterior, 3,
+                      [=](Real delta) {
+                        return reference::custom_blend([=](Real x, Real y) {
+                          return reference::exterior_maximum_point(steep, delta, delta * static_cast<Real>(ratio), x, y);
+                        });
+                      },
+                      bake<S>(two_sided(exterior(step::RisingCutoff{2}, ratio))), Sides::differ});
+    }
+    for (const int order : {2, 3}) {
+      const reference::UnitStep step{reference::StepKind::polynomial, order, 0};
+      list.push_back({BlendFamily::interior, order, [=](Real epsilon) { return reference::interior_blend(step, epsilon); },
+                      bake<S>(interior(step::Polynomial{order}))});
+    }
+    list.push_back({BlendFamily::two_sided_interior, 3,
+                    [=](Real epsilon) {
+                      return reference::custom_blend(
+                          [=](Real x, Real y) { return reference::interior_maximum_point(steep, epsilon, x, y); });
+                    },
+                    bake<S>(two_sided(interior(step::RisingCutoff{2}))), Sides::differ});
+    list.push_back({BlendFamily::log_sum_exp, 3,
+                    [](Real range) {
+                      return reference::custom_blend(
+                          [=](Real x, Real y) { return reference::log_sum_exp_point(18 / range, x, y); });
+                    },
+                    bake<S>(LogSumExpKernel{})});
+    const auto polynomial = [](auto minimum) {
+      return [minimum](Real k) {
+        return reference::custom_blend([=](Real x, Real y) {
+          const reference::BlendPoint point = minimum(k, -x, -y);
+          return reference::BlendPoint{-point.value, point.by_x, point.by_y};
+        });
+      };
+    };
+    list.push_back({BlendFamily::quadratic, 3, polynomial(reference::quadratic_minimum_point), bake<S>(QuadraticKernel{})});
+    list.push_back({BlendFamily::cubic, 3, polynomial(reference::cubic_minimum_point), bake<S>(CubicKernel{})});
+    // Has no table of its own: this one is not used.
+    list.push_back({BlendFamily::log_sum_exp_of_any, 3,
+                    [](Real range) {
+                      return reference::custom_blend([=](Real x, Real y) {
+                        return reference::log_sum_exp_point(32 * std::log(Real{2}) / range, x, y);
+                      });
+                    },
+                    bake<S>(QuadraticKernel{})});
+    return list;
+  }();
   return kernels;
 }
 
@@ -43,6 +108,7 @@ struct FieldTaste {
   int greatest_depth = 5;
   bool unions_only = false;
   bool sharp_only = false;
+  BlendFamily family = BlendFamily::exterior;  // count: any
   bool slots = true;
   Real size = 1;  // metres: centres within size, shapes and blend radii a part of it
 };
@@ -69,7 +135,7 @@ class FieldMaker {
   void make() {
     if (!taste_.sharp_only) {
       for (std::size_t i = 0; i < kernels_.size(); ++i) {
-        kernels_[i] = &blend_kernels<S>()[static_cast<std::size_t>(random_.integer(0, 5))];
+        kernels_[i] = &random_kernel();
         tables_[i] = image_.table(kernels_[i]->table);
       }
     }
@@ -77,6 +143,14 @@ class FieldMaker {
   }
 
  private:
+  const BlendKernel<S>& random_kernel() {
+    const std::vector<BlendKernel<S>>& all = blend_kernels<S>();
+    for (;;) {
+      const BlendKernel<S>& kernel = all[static_cast<std::size_t>(random_.integer(0, static_cast<std::int64_t>(all.size()) - 1))];
+      if (taste_.family == BlendFamily::count || taste_.family == kernel.family) return kernel;
+    }
+  }
+
   reference::Node node(int depth, int frames) {
     if (depth == 0) return random_.chance(0.15L) && frames < 3 ? framed(0, frames) : leaf();
     if (random_.chance(0.2L) && frames < 3) return framed(depth - 1, frames);
@@ -155,13 +229,22 @@ class FieldMaker {
       const BlendKernel<S>& kernel = *kernels_[which];
       field_.lowest_order = std::min(field_.lowest_order, kernel.order);
       const Real delta = taste_.size * (random_.chance(0.5L) ? 0.05L : random_.uniform(0.001L, 0.4L));
-      const reference::UnitStep step{reference::StepKind::polynomial, kernel.order, 0};
-      blend = reference::exterior_blend(step, delta, delta * kernel.ratio);
+      blend = kernel.exact(delta);
       const ArgumentScale<S> scale =
           ArgumentScale<S>::of(narrow<S>(product(rounded<S>(delta), kernel.table.range)));
-      if (operation == 0) image_.operation(AdditiveUnion<S>{scale}, tables_[which]);
-      if (operation == 1) image_.operation(AdditiveIntersection<S>{scale}, tables_[which]);
-      if (operation == 2) image_.operation(AdditiveSubtraction<S>{scale}, tables_[which]);
+      if (kernel.family == BlendFamily::log_sum_exp_of_any) {
+        if (operation == 0) image_.operation(LogSumExpUnion<S>{scale, 2});
+        if (operation == 1) image_.operation(LogSumExpIntersection<S>{scale, 2});
+        if (operation == 2) image_.operation(LogSumExpSubtraction<S>{scale, 2});
+      } else if (kernel.sides == Sides::alike) {
+        if (operation == 0) image_.operation(AdditiveUnion<S>{scale}, tables_[which]);
+        if (operation == 1) image_.operation(AdditiveIntersection<S>{scale}, tables_[which]);
+        if (operation == 2) image_.operation(AdditiveSubtraction<S>{scale}, tables_[which]);
+      } else {
+        if (operation == 0) image_.operation(TwoSidedUnion<S>{scale}, tables_[which]);
+        if (operation == 1) image_.operation(TwoSidedIntersection<S>{scale}, tables_[which]);
+        if (operation == 2) image_.operation(TwoSidedSubtraction<S>{scale}, tables_[which]);
+      }
     }
     std::vector<reference::Node> operands;
     operands.push_back(std::move(first));

@@ -3,12 +3,14 @@
 /// Distances are negative inside, so union = -B(-x, -y), intersection = B(x, y), x without y = B(x, -y),
 /// where B is a (smooth) maximum.
 
+#include "blend_point.hpp"
 #include "potentials.hpp"
 #include "steps.hpp"
 #include "vector.hpp"
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace nearfield::reference {
@@ -43,7 +45,7 @@ inline Real interior_max(const UnitStep& step, Real epsilon, Real x, Real y) {
   return (1 - share) * x + share * y;
 }
 
-enum class BlendKind { hard, exterior, interior };
+enum class BlendKind { hard, exterior, interior, custom };
 
 /// A maximum of two values. `delta` (metres, > 0) is used by the exterior blend alone, `epsilon` (metres,
 /// ≥ 0) and `step` by both smooth ones.
@@ -52,16 +54,22 @@ struct Blend {
   UnitStep step{};
   Real delta = 0;
   Real epsilon = 0;
+  BinaryBlend custom{};
 };
 
 inline Blend hard_blend() {
   return {};
 }
 inline Blend exterior_blend(const UnitStep& step, Real delta, Real epsilon) {
-  return {BlendKind::exterior, step, delta, epsilon};
+  return {BlendKind::exterior, step, delta, epsilon, {}};
 }
 inline Blend interior_blend(const UnitStep& step, Real epsilon) {
-  return {BlendKind::interior, step, 0, epsilon};
+  return {BlendKind::interior, step, 0, epsilon, {}};
+}
+
+/// Any smooth maximum, such as those of additive_blends.hpp.
+inline Blend custom_blend(BinaryBlend maximum) {
+  return {BlendKind::custom, {}, 0, 0, std::move(maximum)};
 }
 
 inline Real blend_max(const Blend& blend, Real x, Real y) {
@@ -72,6 +80,8 @@ inline Real blend_max(const Blend& blend, Real x, Real y) {
       return exterior_max(blend.step, blend.delta, blend.epsilon, x, y);
     case BlendKind::interior:
       return interior_max(blend.step, blend.epsilon, x, y);
+    case BlendKind::custom:
+      return blend.custom(x, y).value;
   }
   throw std::invalid_argument("unknown blend");
 }
@@ -97,6 +107,10 @@ inline Partials blend_max_partials(const Blend& blend, Real x, Real y) {
       const Real share = ranged_step(blend.step, blend.epsilon, y - x);
       const Real shift = ranged_step_slope(blend.step, blend.epsilon, y - x) * (y - x);
       return {1 - share - shift, share + shift};
+    }
+    case BlendKind::custom: {
+      const BlendPoint point = blend.custom(x, y);
+      return {point.by_x, point.by_y};
     }
   }
   throw std::invalid_argument("unknown blend");
