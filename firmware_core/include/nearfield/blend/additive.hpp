@@ -21,21 +21,8 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
   ArgumentScale<S> scale;  // its limit is the range, metres
 
   template <class Out, class View> constexpr Out combine(const Out& a, const Out& b, const View& kernel) const {
-    const detail::Ordered<Out> operands = detail::ordered<operation>(a, b);
-    const Out& deciding = operands.deciding;
-    const Out& other = operands.other;
-    const auto gap = detail::gap<operation>(deciding.value, other.value);
-    if (!scale.contains(gap)) return deciding;
-    const TableSample<S> h = sample_table<Out::has_gradient>(kernel, argument(gap, operands.first_decides));
-    const S added = narrow_in_range<S>(product(scale.limit, h.value));
-    Out out;
-    out.value = operation == SetOperation::unite ? deciding.value - added : deciding.value + added;
-    if constexpr (Out::has_gradient) {
-      const Vector3<S> &d = deciding.gradient, &o = other.gradient;
-      const S slope = sides == Sides::alike ? h.slope : ScalarTraits<S>::half(h.slope);
-      out.gradient = {mixed(d.x, o.x, slope), mixed(d.y, o.y, slope), mixed(d.z, o.z, slope)};
-    }
-    return out;
+    if constexpr (operation == SetOperation::subtract) return with_second(a, detail::negated(b), kernel);
+    else return with_second(a, b, kernel);
   }
 
   // With d = |1 + h'| + |h'| <= 1 + 2 b: error d max(e) + range * table error + 2 rounding units.
@@ -45,7 +32,7 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
     both.valid = both.valid && scale.consistent() && scale.limit <= T::domain() && facts.error >= 0 && facts.error < (1 << 24);
     const Rate spread = spread_of(facts);
     both.lipschitz = multiply_rates_up(both.lipschitz, spread);
-    both.valid = both.valid && both.lipschitz < kSteepest;
+    both.valid = both.valid && both.lipschitz < kSteepest && facts.greatest_slope < kGreatestSlope;
     const S added = T::multiply_up(scale.limit, rate_up(facts.greatest_value));
     const S removed = T::multiply_up(scale.limit, rate_up(-int64_t{facts.least_value}));
     both.error = T::multiply_up(both.error, spread) + T::multiply_up(scale.limit, rate_up(facts.error)) +
@@ -63,6 +50,8 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
  private:
   // Beyond this rate gradients could leave the number range.
   static constexpr Rate kSteepest = Rate::from_raw(8 << Rate::fraction_bits);
+  // Of h', Q24, so that 1 + h' fits wherever h' does.
+  static constexpr int32_t kGreatestSlope = (sides == Sides::alike ? 15 : 31) << 20;
 
   template <class Quantity> constexpr auto argument(Quantity gap, bool first_decides) const {
     const auto whole = scale.argument(gap);
@@ -73,9 +62,29 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
   // Below 1 for all of them.
   static constexpr float half_argument(float whole, bool lower) { return whole * 0.49999997f + (lower ? 0.0f : 0.5f); }
 
-  // (1 + slope) deciding - slope other; gradients are at most a few units long.
-  static constexpr S mixed(S deciding, S other, S slope) {
-    return add_in_range(deciding, narrow_in_range<S>(product(slope, subtract_in_range(deciding, other))));
+  template <class Out, class View> constexpr Out with_second(const Out& a, const Out& b, const View& kernel) const {
+    const bool first_decides = detail::first_decides<operation>(a.value, b.value);
+    const S deciding = first_decides ? a.value : b.value;
+    const auto gap = first_decides ? detail::gap<operation>(a.value, b.value) : detail::gap<operation>(b.value, a.value);
+    if (!scale.contains(gap)) return first_decides ? a : b;
+    const auto h = sample_raw<Out::has_gradient>(kernel, argument(gap, first_decides));
+    const S added = detail::scaled_by_value(scale.limit, h.value);
+    Out out;
+    out.value = operation == SetOperation::unite ? deciding - added : deciding + added;
+    if constexpr (Out::has_gradient) {
+      // The deciding operand's share is 1 + h', the other's -h'.
+      const int headroom = kernel.slope_headroom;
+      const auto slope = sides == Sides::alike ? h.slope : detail::half_of(h.slope);
+      const auto share_of_b = first_decides ? -slope : detail::one_more(slope, headroom);
+      out.gradient = {mean(a.gradient.x, b.gradient.x, share_of_b, headroom), mean(a.gradient.y, b.gradient.y, share_of_b, headroom),
+                      mean(a.gradient.z, b.gradient.z, share_of_b, headroom)};
+    }
+    return out;
+  }
+
+  // Gradients are at most a few units long.
+  template <class Slope> static constexpr S mean(S a, S b, Slope share_of_b, int headroom) {
+    return add_in_range(a, detail::scaled_by_slope(subtract_in_range(b, a), share_of_b, headroom));
   }
 
   // A non-negative Q30 bound as a rate, rounded up; 0 for negative ones.

@@ -118,13 +118,8 @@ template <class S, SetOperation operation> struct LogSumExp {
   static constexpr Unit<S> kHalfLn2 = detail::from_q30(372130559, Unit<S>{});
 
   // As the maximum sees it, but for unions, where the least decides.
-  template <class Out> static constexpr Out seen(Out x, int i) {
-    if constexpr (operation == SetOperation::subtract) {
-      if (i == 0) return x;
-      x.value = subtract_in_range(S{}, x.value);
-      if constexpr (Out::has_gradient) x.gradient = subtract_in_range(Vector3<S>{}, x.gradient);
-    }
-    return x;
+  template <class Out> static constexpr Out seen(const Out& x, int i) {
+    return operation == SetOperation::subtract && i != 0 ? detail::negated(x) : x;
   }
   static constexpr bool decides_over(S a, S b) { return operation == SetOperation::unite ? a < b : b < a; }
 

@@ -100,10 +100,16 @@ template <int FractionBits, class RawType> struct WideProduct {
 
 // Saturating sum, difference, product and quotient that report saturation. Sum and difference are exact in range.
 template <int F, class R> constexpr Fixed<F, R> add(Fixed<F, R> a, Fixed<F, R> b, ArithmeticStatus& status) {
-  return Fixed<F, R>::saturate(static_cast<int64_t>(a.raw()) + b.raw(), status);
+  R sum{};
+  if (!__builtin_add_overflow(a.raw(), b.raw(), &sum)) return Fixed<F, R>::from_raw(sum);
+  status.saturated = true;
+  return a.raw() < 0 ? Fixed<F, R>::least() : Fixed<F, R>::greatest();
 }
 template <int F, class R> constexpr Fixed<F, R> subtract(Fixed<F, R> a, Fixed<F, R> b, ArithmeticStatus& status) {
-  return Fixed<F, R>::saturate(static_cast<int64_t>(a.raw()) - b.raw(), status);
+  R difference{};
+  if (!__builtin_sub_overflow(a.raw(), b.raw(), &difference)) return Fixed<F, R>::from_raw(difference);
+  status.saturated = true;
+  return a.raw() < 0 ? Fixed<F, R>::least() : Fixed<F, R>::greatest();
 }
 template <int F, class R> constexpr Fixed<F, R> multiply(Fixed<F, R> a, Fixed<F, R> b, ArithmeticStatus& status) {
   const int64_t exact = static_cast<int64_t>(a.raw()) * b.raw();

@@ -121,6 +121,36 @@ constexpr auto sample_raw(const TableView<S, degree, bits>& table, typename Tabl
   }
 }
 
+namespace detail {
+
+// length * value of a raw sample, rounded down, for |value| < 1 and |length| within the domain.
+template <int F> constexpr Fixed<F> scaled_by_value(Fixed<F> length, int32_t value) {
+  return Fixed<F>::from_raw(multiply_high(shift_left(length.raw(), 1), shift_left(value, 1)));
+}
+constexpr float scaled_by_value(float length, float value) { return length * value; }
+
+// component * slope of a raw sample: within 2^(2 + headroom) units in the last place, down, of scalars with 24 and more
+// fraction bits; rounded half up for others.
+template <int F> constexpr Fixed<F> scaled_by_slope(Fixed<F> component, int32_t slope, int headroom) {
+  if constexpr (F >= 24) {
+    return Fixed<F>::from_raw(shift_left(multiply_high(component.raw(), slope), 2 + headroom));
+  } else {
+    const int64_t exact = static_cast<int64_t>(component.raw()) * slope;
+    return Fixed<F>::from_raw(static_cast<int32_t>((exact + (int64_t{1} << (29 - headroom))) >> (30 - headroom)));
+  }
+}
+constexpr float scaled_by_slope(float component, float slope, int) { return component * slope; }
+
+// Half the slope of a raw sample, and 1 + slope.
+constexpr int32_t half_of(int32_t slope) { return slope >> 1; }
+constexpr float half_of(float slope) { return 0.5f * slope; }
+constexpr int32_t one_more(int32_t slope, int headroom) {
+  return wrapping_add(slope, static_cast<int32_t>((1 << 30) >> headroom));
+}
+constexpr float one_more(float slope, int) { return 1.0f + slope; }
+
+}  // namespace detail
+
 // The same in the scalar's types, for slope_headroom <= index_bits and 30 - fraction bits. The slope is rounded half up.
 template <bool with_slope, class S, int degree, int bits>
 constexpr TableSample<S> sample_table(const TableView<S, degree, bits>& table,
