@@ -22,6 +22,7 @@ const std::vector<Verb>& verbs() {
       {"check", run_check, "clearances of a robot in the starts and goals of planning problems"},
       {"bake", run_bake, "write a work cell as C++ source for a target's flash"},
       {"curve", run_curve, "step and potential curves beside their tables: values, errors, pictures"},
+      {"eval", run_eval, "value, gradient and clearance of a scene's field at points"},
   };
   return all;
 }

@@ -3,77 +3,232 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
-#include <nearfield/curve/kernel.hpp>
-#include <nearfield/curve/potential.hpp>
-#include <nearfield/curve/tabulated_form.hpp>
 #include <nearfield/field/builder.hpp>
+#include <nearfield/field/program.hpp>
 
 #include "compile/quantise.hpp"
+#include "compile/table_baker.hpp"
+#include "operators/list.hpp"
 #include "text/input_error.hpp"
 
 namespace nearfield::host {
 namespace {
 
-constexpr std::uint32_t largest_image = 1U << 14U;  // words
+constexpr std::uint32_t largest_image = 1U << 16U;  // words
 
 bool is_rotated(const Placement& placement) { return placement.rotation != Placement{}.rotation; }
 
 std::string reason(LoadStatus status) {
   switch (status) {
-    case LoadStatus::wrong_size: return "the field is too large";
-    case LoadStatus::stack_too_deep: return "operands are nested too deeply";
-    case LoadStatus::frames_too_deep: return "placements are nested too deeply";
-    case LoadStatus::bad_table: return "the blend is too steep for its table";
-    default: return "a size or position does not fit the number range";
+    case LoadStatus::wrong_size:
+      return "the field is too large";
+    case LoadStatus::stack_too_deep:
+      return "operands are nested too deeply";
+    case LoadStatus::frames_too_deep:
+      return "placements are nested too deeply";
+    default:
+      return "a size or position does not fit the number range";
   }
 }
 
-template <class S> class FieldCompiler {
+// Collects what a field is made of; see operators/list.hpp. Tables are baked and written at once; operations
+// wait, since they come after all tables.
+template <class S>
+class FieldCompiler {
  public:
+  using Scalar = S;
+
   FieldCompiler(std::string file, const SlotOfLink& slot_of_link)
       : file_(std::move(file)), slot_of_link_(slot_of_link), builder_(std::make_unique<Builder>()) {}
 
   CompiledField<S> compile(const FieldNode& root) {
-    add_tables(root);
-    add(root);
-    return finish(root);
+    operand(root);
+    std::vector<std::uint32_t> starts;
+    for (const Step& step : steps_) {
+      starts.push_back(builder_->size());
+      step.add(*builder_);
+    }
+    return finish([&](std::uint32_t word, LoadStatus status) {
+      const FieldNode* culprit = &root;
+      for (std::size_t i = 0; i < steps_.size() && starts[i] <= word; ++i) culprit = steps_[i].node;
+      fail(culprit->position, culprit->path, status);
+    });
   }
 
   CompiledField<S> compile(const std::vector<CollisionShape>& solids, const std::string& path) {
     std::vector<std::uint32_t> starts;
     for (std::size_t i = 0; i < solids.size(); ++i) {
+      const std::size_t first_step = steps_.size();
+      placed(solids[i].origin, [&](const Vector3d& at) { add_solid(solids[i], at); });
+      if (i != 0) operation(SharpUnion<S>{});
       starts.push_back(builder_->size());
-      place(solids[i].origin, [&](const Vector3d& at) { add_solid(solids[i], at); });
-      if (i != 0) builder_->operation(SharpUnion<S>{});
+      for (std::size_t step = first_step; step < steps_.size(); ++step) steps_[step].add(*builder_);
     }
-    CompiledField<S> compiled;
-    compiled.inspection = builder_->finish();
-    if (compiled.inspection.status != LoadStatus::ok) {
-      const auto after = std::upper_bound(starts.begin() + 1, starts.end(), compiled.inspection.at_word);
+    return finish([&](std::uint32_t word, LoadStatus status) {
+      const auto after = std::upper_bound(starts.begin() + 1, starts.end(), word);
       const auto culprit = static_cast<std::size_t>(after - starts.begin()) - 1;
-      fail(solids[culprit].position, path + "[" + std::to_string(culprit) + "]", compiled.inspection.status);
+      fail(solids[culprit].position, path + "[" + std::to_string(culprit) + "]", status);
+    });
+  }
+
+  // A table of the image; `range`: of the function's argument, in units of its own parameter.
+  struct Reference {
+    std::uint32_t reference = 0;
+    S range{};
+  };
+
+  template <class T>
+  void operation(const T& payload) {
+    add_step([payload](Builder& builder) { builder.operation(payload); });
+  }
+  template <class T>
+  void operation(const T& payload, std::uint32_t table) {
+    add_step([payload, table](Builder& builder) { builder.operation(payload, table); });
+  }
+
+  Reference table(const FieldNode& node, const char* key, const TableFunction& function) {
+    const auto known = tables_.find(function.identity);
+    if (known != tables_.end()) return known->second;
+    const ImageTable<S> table = bake_table<S>(function);
+    if (!table.usable()) {
+      refuse(node, key, "too steep for a table of 256 segments",
+             "a table may err by 1/64 at most, and climb by at most 16 over its range");
     }
-    return with_image(std::move(compiled));
+    return tables_[function.identity] = {write(table), table.range};
+  }
+
+  void operand(const FieldNode& node) {
+    const FieldNode* const outer = node_;
+    node_ = &node;
+    const auto add_inside = [&] {
+      operators::All::add(static_cast<std::size_t>(node.operator_ - all_operators().data()), *this, node);
+    };
+    if (node.link) {
+      const std::uint32_t slot = slot_of_link_(node, *node.link);
+      inside([slot](Builder& builder) { builder.enter_slot(slot); }, add_inside);
+    } else {
+      add_inside();
+    }
+    node_ = outer;
+  }
+
+  Certificate<S> certified_operand(const FieldNode& node) {
+    const std::size_t first = steps_.size();
+    operand(node);
+    return trial(open_frames_, first)->finish().certificate;
+  }
+
+  void in_declared_box(const FieldNode& node, const nearfield::Vector3<S>& half) {
+    const std::size_t first = steps_.size();
+    add_step([half](Builder& builder) { builder.enter_box(half); });
+    operand(node.operands.front());
+    const auto leave_box = [half](Rate lipschitz) {
+      return [half, lipschitz](Builder& builder) { builder.leave_box(DeclaredBox<S>(half, lipschitz)); };
+    };
+    add_step(leave_box(kUnitRate));
+    const Certificate<S> inside = trial(open_frames_, first)->finish().boxed;
+    if (!inside.valid) return;  // finish() says why
+    if (inside.lipschitz == kNoRateBound || !(inside.magnitude < algebraic_limit<S>())) {
+      refuse(node, "size", "the field's gradient has no bound in this box",
+             "a smaller box, or a field of smaller values; patches have none at all");
+    }
+    steps_.back().add = leave_box(inside.lipschitz);
+  }
+
+  template <class Blend>
+  double trial_value(const FieldNode& node, const Vector3d& point, const Blend& blend) {
+    const std::size_t first = steps_.size();
+    for (const FieldNode& below : node.operands) operand(below);
+    blend();
+    const auto image = trial({}, first);
+    steps_.resize(first);
+    const Program<S> program(image->words(), image->finish());
+    if (!program.valid() || program.slot_count() != 0) return 0.0;
+    const nearfield::Vector3<S> at = quantise<S>(point);
+    if (!coordinates_in_domain(at)) return 0.0;
+    return ScalarTraits<S>::to_double(program.template evaluate<Value<S>>(at, nullptr).value);
+  }
+
+  [[noreturn]] void refuse(const FieldNode& node, const char* key, const std::string& message,
+                           const std::string& allowed) const {
+    throw InputError(file_, node.position, node.path + "." + key, message, allowed);
+  }
+
+  template <class AddOperation>
+  void fold(const FieldNode& node, const AddOperation& add_operation) {
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+      operand(node.operands[i]);
+      if (i != 0) add_operation();
+    }
+  }
+
+  template <class Inside>
+  void in_frame(const Placement& placement, const Inside& add_inside) {
+    const nearfield::Pose<S> pose = quantise<S>(placement);
+    inside([pose](Builder& builder) { builder.enter(pose); }, add_inside);
+  }
+
+  template <class Shape>
+  void placed(const Placement& placement, const Shape& shape) {
+    if (!is_rotated(placement)) return shape(placement.position);
+    in_frame(placement, [&] { shape(Vector3d{}); });
   }
 
  private:
   using Builder = ImageBuilder<S, largest_image>;
+  struct Step {
+    const FieldNode* node;
+    std::function<void(Builder&)> add;
+  };
 
-  CompiledField<S> finish(const FieldNode& root) {
+  template <class Enter, class Inside>
+  void inside(const Enter& enter, const Inside& add_inside) {
+    open_frames_.push_back(steps_.size());
+    add_step(enter);
+    add_inside();
+    add_step([](Builder& builder) { builder.leave(); });
+    open_frames_.pop_back();
+  }
+
+  // The tables so far, and within frames of their own what has been added since a step.
+  std::unique_ptr<Builder> trial(const std::vector<std::size_t>& frames, std::size_t first) const {
+    auto image = std::make_unique<Builder>(*builder_);
+    for (const std::size_t frame : frames) steps_[frame].add(*image);
+    for (std::size_t i = first; i < steps_.size(); ++i) steps_[i].add(*image);
+    for (std::size_t i = 0; i < frames.size(); ++i) image->leave();
+    return image;
+  }
+
+  template <class Add>
+  void add_step(const Add& add) {
+    steps_.push_back({node_, add});
+  }
+
+  std::uint32_t write(const ImageTable<S>& table) { return write_sized<0>(table); }
+  template <std::uint32_t index_bits>
+  std::uint32_t write_sized(const ImageTable<S>& table) {
+    if constexpr (index_bits < image_format::greatest_index_bits) {
+      if (table.index_bits != static_cast<int>(index_bits)) return write_sized<index_bits + 1>(table);
+    }
+    Table<S, 1 << index_bits> sized;
+    std::copy(table.coefficients.begin(), table.coefficients.end(), sized.coefficients);
+    sized.slope_headroom = table.slope_headroom;
+    sized.range = table.range;
+    sized.facts = table.facts;
+    return builder_->table(sized);
+  }
+
+  template <class Blame>
+  CompiledField<S> finish(const Blame& blame) {
     CompiledField<S> compiled;
     compiled.inspection = builder_->finish();
     if (compiled.inspection.status != LoadStatus::ok) {
-      // The node whose operation was being added when the image grew past the failing word.
-      const FieldNode* culprit = &root;
-      for (const auto& [word, node] : added_) {
-        if (word <= compiled.inspection.at_word) culprit = node;
-      }
-      fail(culprit->position, culprit->path, compiled.inspection.status);
+      blame(compiled.inspection.at_word, compiled.inspection.status);
     }
-    return with_image(std::move(compiled));
+    compiled.image.assign(builder_->words(), builder_->words() + builder_->size());
+    return compiled;
   }
 
   [[noreturn]] void fail(SourcePosition position, const std::string& path, LoadStatus status) const {
@@ -84,141 +239,39 @@ template <class S> class FieldCompiler {
                          std::to_string(kFrameDepth) + " frames deep");
   }
 
-  CompiledField<S> with_image(CompiledField<S> compiled) const {
-    compiled.image.assign(builder_->words(), builder_->words() + builder_->size());
-    return compiled;
-  }
-
-  // Tables come first in an image: one for each different curve.
-  void add_tables(const FieldNode& node) {
-    if (const auto step = node.choices.find("step"); step != node.choices.end()) {
-      const auto key = std::make_pair(step->second, ratio_of(node));
-      if (kernels_.count(key) == 0) kernels_[key] = bake_kernel(key.first, key.second);
-    }
-    if (node.choices.count("potential") != 0 && potential_ == 0) {
-      potential_ = builder_->table(bake<S, 2>(over_square(potential::wyvill)));
-    }
-    for (const FieldNode& operand : node.operands) add_tables(operand);
-  }
-  static double ratio_of(const FieldNode& node) { return node.number("rising_range") / node.number("blend_radius"); }
-
-  struct Kernel {
-    std::uint32_t reference = 0;
-    S range{};  // per blend radius
-  };
-  template <class Step> Kernel bake_steps(Step step, double ratio) {
-    const Table<S, 64> table = bake<S, 64>(exterior(step, ratio));
-    return {builder_->table(table), table.range};
-  }
-  Kernel bake_kernel(const std::string& step, double ratio) {
-    if (step == "polynomial1") return bake_steps(step::polynomial<1>, ratio);
-    if (step == "polynomial2") return bake_steps(step::polynomial<2>, ratio);
-    return bake_steps(step::polynomial<3>, ratio);
-  }
-
-  // Adds what `shape` adds at a place: shifted where that is enough, otherwise in a frame of its own.
-  template <class Shape> void place(const Placement& placement, const Shape& shape) {
-    if (!is_rotated(placement)) return shape(placement.position);
-    builder_->enter(quantise<S>(placement));
-    shape(Vector3d{});
-    builder_->leave();
-  }
-
   void add_solid(const CollisionShape& solid, const Vector3d& at) {
     const nearfield::Vector3<S> center = quantise<S>(at);
     const Vector3d half{0.0, 0.0, 0.5 * solid.length};
     switch (solid.kind) {
-      case CollisionKind::sphere: builder_->operation(Sphere<S>{center, quantise<S>(solid.radius)}); break;
-      case CollisionKind::box: builder_->operation(Box<S>{center, quantise<S>(0.5 * solid.size)}); break;
+      case CollisionKind::sphere:
+        operation(Sphere<S>{center, quantise<S>(solid.radius)});
+        break;
+      case CollisionKind::box:
+        operation(Box<S>{center, quantise<S>(0.5 * solid.size)});
+        break;
       case CollisionKind::cylinder:
-        builder_->operation(Cylinder<S>{center, quantise<S>(solid.radius), quantise<S>(0.5 * solid.length)});
+        operation(Cylinder<S>{center, quantise<S>(solid.radius), quantise<S>(0.5 * solid.length)});
         break;
       case CollisionKind::capsule:
-        builder_->operation(quantise_capsule<S>(at - half, at + half, solid.radius));
+        operation(quantise_capsule<S>(at - half, at + half, solid.radius));
         break;
     }
-  }
-
-  void add(const FieldNode& node) {
-    added_.emplace_back(builder_->size(), &node);
-    if (node.link) builder_->enter_slot(slot_of_link_(node, *node.link));
-    if (node.operands.empty()) add_shape(node);
-    else if (node.operator_->name == "place") place_operand(node);
-    else add_blend(node);
-    if (node.link) builder_->leave();
-  }
-
-  void place_operand(const FieldNode& node) {
-    builder_->enter(quantise<S>(node.placement));
-    add(node.operands.front());
-    builder_->leave();
-  }
-
-  void add_shape(const FieldNode& node) {
-    const std::string_view name = node.operator_->name;
-    const auto end = [&node](const char* key) { return transform_point(node.placement, node.vector(key)); };
-    const auto influence = [&node] {
-      return Influence<S>(quantise<S>(node.number("influence_radius")), quantise<S>(node.number("weight")));
-    };
-    if (name == "sphere") {
-      builder_->operation(Sphere<S>{quantise<S>(node.placement.position), quantise<S>(node.number("radius"))});
-    } else if (name == "capsule") {
-      builder_->operation(quantise_capsule<S>(end("from"), end("to"), node.number("radius")));
-    } else if (name == "box") {
-      place(node.placement, [&](const Vector3d& at) {
-        builder_->operation(Box<S>{quantise<S>(at), quantise<S>(0.5 * node.vector("size"))});
-      });
-    } else if (name == "cylinder") {
-      place(node.placement, [&](const Vector3d& at) {
-        builder_->operation(Cylinder<S>{quantise<S>(at), quantise<S>(node.number("radius")),
-                                        quantise<S>(0.5 * node.number("height"))});
-      });
-    } else if (name == "soft_point") {
-      builder_->operation(SoftPoint<S>{quantise<S>(node.placement.position), influence()}, potential_);
-    } else if (name == "soft_segment") {
-      builder_->operation(SoftSegment<S>{quantise_capsule<S>(end("from"), end("to"), 0.0), influence()}, potential_);
-    } else {
-      throw std::logic_error("an operator of the scene format without an operation");
-    }
-  }
-
-  void add_blend(const FieldNode& node) {
-    for (std::size_t i = 0; i < node.operands.size(); ++i) {
-      add(node.operands[i]);
-      added_.emplace_back(builder_->size(), &node);
-      if (i != 0) add_blend_operation(node);
-    }
-  }
-  void add_blend_operation(const FieldNode& node) {
-    const std::string_view name = node.operator_->name;
-    if (name == "union") builder_->operation(SharpUnion<S>{});
-    else if (name == "intersection") builder_->operation(SharpIntersection<S>{});
-    else if (name == "subtraction") builder_->operation(SharpSubtraction<S>{});
-    else if (name == "soft_sum") builder_->operation(SoftSum<S>{});
-    else if (name == "exterior_union") add_exterior<AdditiveUnion<S>>(node);
-    else if (name == "exterior_intersection") add_exterior<AdditiveIntersection<S>>(node);
-    else if (name == "exterior_subtraction") add_exterior<AdditiveSubtraction<S>>(node);
-    else throw std::logic_error("an operator of the scene format without an operation");
-  }
-  template <class Blend> void add_exterior(const FieldNode& node) {
-    const Kernel& kernel = kernels_.at({node.choices.at("step"), ratio_of(node)});
-    Blend blend;
-    blend.scale = ArgumentScale<S>::of(narrow<S>(product(quantise<S>(node.number("blend_radius")), kernel.range)));
-    builder_->operation(blend, kernel.reference);
   }
 
   std::string file_;
   const SlotOfLink& slot_of_link_;
   std::unique_ptr<Builder> builder_;
-  std::map<std::pair<std::string, double>, Kernel> kernels_;
-  std::uint32_t potential_ = 0;
-  std::vector<std::pair<std::uint32_t, const FieldNode*>> added_;
+  std::map<std::string, Reference> tables_;
+  std::vector<Step> steps_;
+  std::vector<std::size_t> open_frames_;  // the steps that entered them
+  const FieldNode* node_ = nullptr;       // to blame for what is being added
 };
 
 }  // namespace
 
 template <class S>
-CompiledField<S> compile_field(const FieldNode& root, const std::string& file, const SlotOfLink& slot_of_link) {
+CompiledField<S> compile_field(const FieldNode& root, const std::string& file,
+                               const SlotOfLink& slot_of_link) {
   return FieldCompiler<S>(file, slot_of_link).compile(root);
 }
 
@@ -229,10 +282,12 @@ CompiledField<S> compile_obstacles(const std::vector<CollisionShape>& solids, co
   return FieldCompiler<S>(file, none).compile(solids, path);
 }
 
-#define NEARFIELD_INSTANTIATE(S)                                                                         \
-  template CompiledField<S> compile_field(const FieldNode&, const std::string&, const SlotOfLink&);      \
-  template CompiledField<S> compile_obstacles(const std::vector<CollisionShape>&, const std::string&, const std::string&);
+#define NEARFIELD_INSTANTIATE(S)                                                                      \
+  template CompiledField<S> compile_field(const FieldNode&, const std::string&, const SlotOfLink&);   \
+  template CompiledField<S> compile_obstacles(const std::vector<CollisionShape>&, const std::string&, \
+                                              const std::string&);
 NEARFIELD_INSTANTIATE(Fixed<27>)
+NEARFIELD_INSTANTIATE(Fixed<24>)
 NEARFIELD_INSTANTIATE(Fixed<16>)
 NEARFIELD_INSTANTIATE(float)
 #undef NEARFIELD_INSTANTIATE

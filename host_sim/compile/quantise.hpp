@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nearfield/modify/frame.hpp>
+#include <nearfield/shape/capsule.hpp>
 
 #include "model/placement.hpp"
 

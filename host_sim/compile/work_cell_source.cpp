@@ -1,5 +1,9 @@
 #include "compile/work_cell_source.hpp"
 
+#include <set>
+
+#include <nearfield/field/image.hpp>
+
 namespace nearfield::host {
 namespace {
 
@@ -56,6 +60,33 @@ class Source {
   std::string text_;
 };
 
+const char* name_of(Operation operation) {
+  switch (operation) {
+#define NEARFIELD_NAME(code, name, type, value, gradient) \
+  case Operation::name: return #name;
+    NEARFIELD_OPERATIONS(NEARFIELD_NAME)
+#undef NEARFIELD_NAME
+    default: return nullptr;  // of a frame
+  }
+}
+
+void add_operations(const std::vector<std::uint32_t>& image, std::set<std::string>& names) {
+  if (image.empty()) return;
+  for (std::size_t at = image_format::header_words + image[image_format::table_words]; at < image.size();
+       at += 1 + (image[at] >> 8)) {
+    if (const char* name = name_of(static_cast<Operation>(image[at] & 0xffU))) names.insert(name);
+  }
+}
+// Those of both images, so that the target links no others.
+std::string operations_of(const CompiledWorkCell& cell) {
+  std::set<std::string> names;
+  add_operations(cell.cell.image, names);
+  add_operations(cell.soft.image, names);
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + ("Operation::" + name);
+  return "OnlyOperations<" + text + ">";
+}
+
 }  // namespace
 
 std::string work_cell_source(const CompiledWorkCell& cell, const std::string& made_from) {
@@ -68,6 +99,7 @@ std::string work_cell_source(const CompiledWorkCell& cell, const std::string& ma
   const std::string pairs = source.span("BodyPair", "kSelfPairs", cell.arm.self_pairs);
   const std::string cell_image = source.span("uint32_t", "kCellImage", cell.cell.image);
   const std::string soft_image = source.span("uint32_t", "kSoftImage", cell.soft.image);
+  source.line("using Operations = " + operations_of(cell) + ";");
   const work_cell::WorkCell& s = cell.settings;
   source.line("\ninline constexpr WorkCell kWorkCell = {");
   for (const std::string& part : {arm, person, checked, pairs, cell_image, soft_image}) source.line("  " + part + ",");

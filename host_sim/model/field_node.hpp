@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "curves/curve_settings.hpp"
 #include "model/operators.hpp"
 #include "model/placement.hpp"
 #include "text/source_position.hpp"
@@ -13,12 +14,15 @@ namespace nearfield::host {
 
 // One node of a field's tree, checked against its operator's description.
 struct FieldNode {
-  const OperatorDescription* operator_ = nullptr;  // never null once read
+  const OperatorDescription* operator_ = nullptr;  // one of all_operators() once read
+  FieldKind kind = FieldKind::distance;            // what it yields
   std::string name;                                // may be empty
-  Placement placement;             // in the frame of `link` if given, otherwise of the node above
+  Placement placement;              // in the frame of `link` if given, otherwise of the node above
   std::optional<std::string> link;  // `LINK` of the arm or `person/LINK`
   std::map<std::string, std::vector<double>> parameters;  // every one of the operator, defaults filled in
-  std::map<std::string, std::string> choices;             // every one of the operator, defaults filled in
+  std::map<std::string, std::string> choices;             // every one of the operator, defaults filled in;
+                                                          // of a curve its name as given
+  std::map<std::string, ConfiguredCurve> curves;          // every one of the operator
   std::vector<FieldNode> operands;
   SourcePosition position;
   std::string path;  // e.g. `field.operands[2]`

@@ -1,7 +1,12 @@
 #include "model/field_reader.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string_view>
+#include <utility>
 
+#include "model/curve_reader.hpp"
 #include "model/limits.hpp"
 #include "text/names.hpp"
 
@@ -10,19 +15,36 @@ namespace {
 
 constexpr double ratio_tolerance = 1e-9;  // relative: decimal fractions are not exact in binary
 
-std::string_view kind_in_words(FieldKind kind) {
-  return kind == FieldKind::distance ? "a distance" : "an intensity";
+constexpr FieldKind all_kinds[] = {FieldKind::distance, FieldKind::intensity, FieldKind::ray,
+                                   FieldKind::algebraic};
+
+std::string kind_in_words(FieldKind kind) {
+  switch (kind) {
+    case FieldKind::distance:
+      return "a distance";
+    case FieldKind::intensity:
+      return "an intensity";
+    case FieldKind::ray:
+      return "a ray value";
+    case FieldKind::algebraic:
+      return "an algebraic value";
+  }
+  return "a value";
 }
 
-const OperatorDescription& read_type(const JsonNode& node, FieldKind wanted) {
-  std::vector<std::string_view> names = operator_names(FieldKind::distance);
-  for (const std::string_view name : operator_names(FieldKind::intensity)) names.push_back(name);
-  const JsonNode type = node.required("type", "one of " + joined(operator_names(wanted)));
+// Without a wanted kind every operator will do.
+const OperatorDescription& read_type(const JsonNode& node, std::optional<FieldKind> wanted) {
+  std::vector<std::string_view> names;
+  for (const FieldKind kind : all_kinds) {
+    for (const std::string_view name : operator_names(kind)) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  const JsonNode type = node.required("type", "one of " + joined(wanted ? operator_names(*wanted) : names));
   const OperatorDescription& description = *find_operator(names[type.choice(names)]);
-  if (description.kind != wanted) {
-    node.fail(in_quotes(description.name) + " yields " + std::string(kind_in_words(description.kind)),
-              std::string(kind_in_words(wanted)) + " is needed here: one of " +
-                  joined(operator_names(wanted)));
+  if (wanted && !description.any_kind && description.kind != *wanted) {
+    node.fail(in_quotes(description.name) + " yields " + kind_in_words(description.kind),
+              kind_in_words(*wanted) + " is needed here: one of " + joined(operator_names(*wanted)));
   }
   return description;
 }
@@ -31,6 +53,10 @@ std::vector<std::string_view> allowed_keys(const OperatorDescription& descriptio
   std::vector<std::string_view> keys{"type", "name"};
   for (const ParameterDescription& parameter : description.parameters) keys.push_back(parameter.key);
   for (const ChoiceDescription& choice : description.choices) keys.push_back(choice.key);
+  for (const CurveDescription& curve : description.curves) {
+    keys.push_back(curve.key);
+    if (curve.family == CurveFamily::potential) keys.push_back(range_control_key);
+  }
   if (description.placement != PlacementParts::none) keys.push_back("position");
   if (description.placement == PlacementParts::position_and_orientation) {
     keys.push_back("orientation_xyzw");
@@ -42,20 +68,34 @@ std::vector<std::string_view> allowed_keys(const OperatorDescription& descriptio
 }
 
 std::string expectation(const ParameterDescription& parameter) {
-  if (parameter.count == 1) return "a number " + describe(parameter.range);
-  return std::to_string(parameter.count) + " numbers " + describe(parameter.range);
+  const std::string range = describe(parameter.range);
+  if (parameter.most > 0) {
+    return std::to_string(parameter.count) + " to " + std::to_string(parameter.most) + " numbers " + range;
+  }
+  if (parameter.count == 1) return (parameter.whole ? "a whole number " : "a number ") + range;
+  return std::to_string(parameter.count) + " numbers " + range;
+}
+
+double read_number(const JsonNode& value, const ParameterDescription& parameter) {
+  if (!parameter.whole) return value.number(parameter.range);
+  return static_cast<double>(value.integer(static_cast<std::int64_t>(parameter.range.lowest),
+                                           static_cast<std::int64_t>(parameter.range.highest)));
 }
 
 void read_parameters(const JsonNode& node, FieldNode& field) {
   for (const ParameterDescription& parameter : field.operator_->parameters) {
     std::vector<double>& values = field.parameters[std::string(parameter.key)];
-    if (!parameter.default_values.empty() && !node.has(parameter.key)) {
+    if ((parameter.optional || !parameter.default_values.empty()) && !node.has(parameter.key)) {
       values = parameter.default_values;
       continue;
     }
     const JsonNode value = node.required(parameter.key, expectation(parameter));
-    if (parameter.count == 1) {
-      values = {value.number(parameter.range)};
+    if (parameter.most > 0) {
+      for (const JsonNode& element : value.elements(parameter.count, parameter.most)) {
+        values.push_back(read_number(element, parameter));
+      }
+    } else if (parameter.count == 1) {
+      values = {read_number(value, parameter)};
     } else {
       values = value.numbers(parameter.count, parameter.range);
     }
@@ -89,6 +129,15 @@ void read_choices(const JsonNode& node, FieldNode& field) {
   }
 }
 
+void read_curves(const JsonNode& node, FieldNode& field) {
+  for (const CurveDescription& description : field.operator_->curves) {
+    const std::string key(description.key);
+    ReadCurve read = read_curve(node, description);
+    field.choices[key] = std::move(read.name);
+    field.curves.emplace(key, std::move(read.curve));
+  }
+}
+
 bool gives_placement(const JsonNode& node) {
   return node.has("position") || node.has("orientation_xyzw") || node.has("rpy") || node.has("link");
 }
@@ -104,10 +153,11 @@ void read_link(const JsonNode& node, bool inside_placed, FieldNode& field) {
   }
 }
 
-FieldNode read_node(const JsonNode& node, FieldKind wanted, bool inside_placed) {
+FieldNode read_node(const JsonNode& node, std::optional<FieldKind> wanted, bool inside_placed) {
   FieldNode field;
   field.operator_ = &read_type(node, wanted);
   const OperatorDescription& description = *field.operator_;
+  field.kind = description.kind;
   node.reject_unknown_keys(allowed_keys(description));
   field.position = node.position();
   field.path = node.path();
@@ -115,6 +165,7 @@ FieldNode read_node(const JsonNode& node, FieldKind wanted, bool inside_placed) 
   read_parameters(node, field);
   check_ratios(node, field);
   read_choices(node, field);
+  read_curves(node, field);
   field.placement = read_placement(node, description.placement);
   read_link(node, inside_placed, field);
   const bool placed = gives_placement(node);
@@ -123,9 +174,12 @@ FieldNode read_node(const JsonNode& node, FieldKind wanted, bool inside_placed) 
               "at least one of position, orientation_xyzw, rpy, link");
   }
   if (description.most_operands > 0) {
+    std::optional<FieldKind> operand_kind = description.operand_kind;
+    if (description.any_kind) operand_kind = wanted;
     const JsonNode array = node.required("operands", "an array of field nodes");
     for (const JsonNode& operand : array.elements(description.fewest_operands, description.most_operands)) {
-      field.operands.push_back(read_node(operand, description.operand_kind, inside_placed || placed));
+      field.operands.push_back(read_node(operand, operand_kind, inside_placed || placed));
+      if (description.any_kind) operand_kind = field.kind = field.operands.back().kind;
     }
   }
   return field;
@@ -133,6 +187,8 @@ FieldNode read_node(const JsonNode& node, FieldKind wanted, bool inside_placed) 
 
 }  // namespace
 
-FieldNode read_field(const JsonNode& node, FieldKind wanted) { return read_node(node, wanted, false); }
+FieldNode read_field(const JsonNode& node, std::optional<FieldKind> wanted) {
+  return read_node(node, wanted, false);
+}
 
 }  // namespace nearfield::host

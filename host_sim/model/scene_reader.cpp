@@ -139,9 +139,9 @@ void check_person_links(const FieldNode& field, const SceneDescription& scene) {
   for (const FieldNode& operand : field.operands) check_person_links(operand, scene);
 }
 
-}  // namespace
+enum class Use { simulation, evaluation };
 
-SceneDescription parse_scene(std::string_view text, const std::string& file) {
+SceneDescription read(std::string_view text, const std::string& file, Use use) {
   const JsonDocument document = parse_json(text, file);
   const JsonNode root(document);
   root.required("format", "\"nearfield-scene-1\"").choice({"nearfield-scene-1"});
@@ -150,8 +150,14 @@ SceneDescription parse_scene(std::string_view text, const std::string& file) {
   SceneDescription scene;
   scene.file = file;
   scene.name = root.required("name", "the scene's name").string(longest_name);
-  scene.duration = root.required("duration", "a number " + describe(duration_range)).number(duration_range);
-  scene.field = read_field(root.required("field", "a node that yields a distance"), FieldKind::distance);
+  if (use == Use::simulation || root.has("duration")) {
+    scene.duration = root.required("duration", "a number " + describe(duration_range)).number(duration_range);
+  }
+  if (use == Use::simulation) {
+    scene.field = read_field(root.required("field", "a node that yields a distance"), FieldKind::distance);
+  } else {
+    scene.field = read_field(root.required("field", "a node"), std::nullopt);
+  }
   if (const auto node = root.optional("soft")) scene.soft = read_field(*node, FieldKind::intensity);
   if (const auto node = root.optional("robot")) scene.robot = read_file_name(*node);
   if (const auto node = root.optional("tool_link")) scene.tool_link = node->string(longest_name);
@@ -163,6 +169,18 @@ SceneDescription parse_scene(std::string_view text, const std::string& file) {
   return scene;
 }
 
+}  // namespace
+
+SceneDescription parse_scene(std::string_view text, const std::string& file) {
+  return read(text, file, Use::simulation);
+}
+SceneDescription parse_scene_of_any_kind(std::string_view text, const std::string& file) {
+  return read(text, file, Use::evaluation);
+}
+
 SceneDescription read_scene(const std::string& path) { return parse_scene(read_file(path), path); }
+SceneDescription read_scene_of_any_kind(const std::string& path) {
+  return parse_scene_of_any_kind(read_file(path), path);
+}
 
 }  // namespace nearfield::host

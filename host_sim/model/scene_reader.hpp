@@ -15,4 +15,9 @@ SceneDescription read_scene(const std::string& path);
 // The same from text; `file` is the name that errors show and that relative files are resolved against.
 SceneDescription parse_scene(std::string_view text, const std::string& file);
 
+// The same for a scene that is only to be evaluated: `field` may yield any kind, and `duration` may be
+// missing.
+SceneDescription read_scene_of_any_kind(const std::string& path);
+SceneDescription parse_scene_of_any_kind(std::string_view text, const std::string& file);
+
 }  // namespace nearfield::host

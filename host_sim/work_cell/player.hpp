@@ -31,11 +31,13 @@ inline void sample_track(const Track& track, uint64_t time, Q* values) {
 
 enum class PlayerStatus : uint8_t { ok, bad_arm, bad_person, bad_cell_image, bad_soft_image, bad_scenario };
 
-template <int ArmLinks, int ArmBodies, int PersonLinks, int PersonBodies> class Player {
+// Operations: those of the work cell's fields (OnlyOperations<...>), so that a target links no others.
+template <int ArmLinks, int ArmBodies, int PersonLinks, int PersonBodies, class Operations = AllOperations> class Player {
  public:
   using ArmChain = Chain<Q, ArmLinks, ArmBodies>;
   using PersonChain = Chain<Q, PersonLinks, PersonBodies>;
-  using Monitor = ArmMonitor<ArmChain, PersonChain, Program<Q>, Program<Q>>;
+  using Field = Program<Q, Operations>;
+  using Monitor = ArmMonitor<ArmChain, PersonChain, Field, Field>;
 
   // `data` must outlive the player; the player must stay where it is.
   explicit Player(const WorkCell& data) : data_(data) { status_ = prepare(); }
@@ -46,8 +48,8 @@ template <int ArmLinks, int ArmBodies, int PersonLinks, int PersonBodies> class 
   const Monitor& monitor() const { return monitor_; }
   const ArmChain& arm() const { return arm_; }
   const PersonChain& person() const { return person_; }
-  const Program<Q>& cell() const { return cell_; }
-  const Program<Q>& soft() const { return soft_; }
+  const Field& cell() const { return cell_; }
+  const Field& soft() const { return soft_; }
   uint32_t ticks() const { return data_.ticks; }
 
   // Joint values of the tick to come.
@@ -85,10 +87,10 @@ template <int ArmLinks, int ArmBodies, int PersonLinks, int PersonBodies> class 
     if (!build(data_.arm, arm_) || data_.checked_against_cell.count != arm_.body_count()) return PlayerStatus::bad_arm;
     const bool somebody = data_.person.bodies.count != 0;
     if (somebody && !build(data_.person, person_)) return PlayerStatus::bad_person;
-    cell_ = load<Q>(data_.cell_image.data, data_.cell_image.count * sizeof(uint32_t));
+    cell_ = load<Q, Operations>(data_.cell_image.data, data_.cell_image.count * sizeof(uint32_t));
     if (!cell_.valid() || cell_.kind() != Kind::distance) return PlayerStatus::bad_cell_image;
     const bool soft = data_.soft_image.count != 0;
-    if (soft) soft_ = load<Q>(data_.soft_image.data, data_.soft_image.count * sizeof(uint32_t));
+    if (soft) soft_ = load<Q, Operations>(data_.soft_image.data, data_.soft_image.count * sizeof(uint32_t));
     if (soft && (!soft_.valid() || soft_.kind() != Kind::intensity)) return PlayerStatus::bad_soft_image;
     if (data_.arm.track.times.count < 2 || data_.tool_link >= arm_.link_count()) return PlayerStatus::bad_scenario;
     for (uint32_t i = 0; i < data_.self_pairs.count; ++i) {
@@ -144,7 +146,7 @@ template <int ArmLinks, int ArmBodies, int PersonLinks, int PersonBodies> class 
   const WorkCell& data_;
   ArmChain arm_;
   PersonChain person_;
-  Program<Q> cell_, soft_;
+  Field cell_, soft_;
   Monitor monitor_;
   Q arm_joints_[kMostVariables] = {};
   Q person_joints_[kMostVariables] = {};

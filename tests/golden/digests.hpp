@@ -6,8 +6,8 @@
 namespace nearfield::golden {
 
 inline constexpr uint32_t kDigestQueries = 100000;
-inline constexpr uint64_t kFixed27Digest = 0x1eec0b41f56c7ba8u;
-inline constexpr uint64_t kFixed16Digest = 0x2f84d8eb596d891bu;
-inline constexpr uint64_t kFloatDigest = 0x84e92d06b9539653u;
+inline constexpr uint64_t kFixed27Digest = 0x3ab4ea56e7b069f6u;
+inline constexpr uint64_t kFixed16Digest = 0x96eca98f1a38e8dfu;
+inline constexpr uint64_t kFloatDigest = 0x74326512fb88be01u;
 
 }  // namespace nearfield::golden

@@ -3,13 +3,16 @@
 /// exterior and interior maximum, Akleman and Chen's log-sum-exp, the polynomial smooth minima of computer
 /// graphics; and the set operations of distances (negative inside) made from a smooth maximum.
 ///
-/// Li's two formulas take a step μ that need not be antisymmetric, and a difference t = x − y of either sign:
-///   exterior  (x + y + S(t))/2, S(t) = (g₁ + g₂ − 1)t + g₁(1 − g₂)(t²/2δ + δ/2),
-///             g₁ = μ_ε(t + δ), g₂ = μ_ε(t − δ) (eq. 18 to 20; for the t² of f the paper prints x²);
-///   interior  (1 − μ_ε(y − x))x + μ_ε(y − x)y (eq. 24): one step, taken at y − x, shares the whole between
-///             both. It is not xμ_ε(x − y) + yμ_ε(y − x), whose shares add up to 1 for antisymmetric μ alone.
-/// Both are symmetric in x and y exactly when μ is antisymmetric. For ε ≤ δ the exterior one is max(x, y) +
-/// (1 − μ_ε(|t| − δ))(|t| − δ)²/4δ for x ≥ y, and with μ_ε(δ − |t|) for 1 − μ_ε(|t| − δ) for x < y.
+/// Li's two formulas take a step μ that need not be antisymmetric, and t = x − y of either sign.
+///
+/// Exterior (eq. 18 to 20): (x + y + S(t))/2, S(t) = (g₁ + g₂ − 1)t + g₁(1 − g₂)(t²/2δ + δ/2), g₁ = μ_ε(t +
+/// δ), g₂ = μ_ε(t − δ). For the t² the paper prints x². For ε ≤ δ it is max(x, y) + share · (|t| − δ)²/4δ,
+/// where the share is 1 − μ_ε(|t| − δ) for x ≥ y and μ_ε(δ − |t|) for x < y.
+///
+/// Interior (eq. 24): (1 − μ_ε(y − x))x + μ_ε(y − x)y. One step, taken at y − x, shares the whole between
+/// both. It is not xμ_ε(x − y) + yμ_ε(y − x), whose shares add up to 1 for antisymmetric μ alone.
+///
+/// Both are symmetric in x and y if μ is antisymmetric; otherwise the order of the operands matters.
 
 #include "blend_point.hpp"
 #include "curve_point.hpp"
@@ -49,7 +52,8 @@ inline Real step_slope_of_range(const StepWithSlope& mu, Real epsilon, Real t) {
 /// δ > 0, or δ = ε = 0. For δ → 0 with ε > 0 kept, S(t) grows without bound where μ_ε(t)(1 − μ_ε(t)) > 0.
 inline void expect_exterior_ranges(Real delta, Real epsilon) {
   if (!(epsilon >= 0) || !(delta > 0 || (delta == 0 && epsilon == 0))) {
-    throw std::invalid_argument("exterior maximum: delta is greater than 0 and epsilon at least 0, or both are 0");
+    throw std::invalid_argument(
+        "exterior maximum: delta is greater than 0 and epsilon at least 0, or both are 0");
   }
 }
 

@@ -10,16 +10,18 @@
 /// difference can be: all ray values of one centre are 0 there, so that the difference never contains it.
 /// Only its surface at c has a meaning; c must be that of both its operands and of what uses the result.
 ///
-/// Scale union and intersection: with q = r₁r₂ − p and L(u, v) = r₁r₂ − r₂u − r₁v,
-///   B_H(u, v) = L(u, v)² − 2quv,
-/// so that for q > 0 the conic B_H = 0 has two arcs in u, v ≥ 0, both ending in the points of tangency
-/// (r₁, 0) and (0, r₂): the inner one L = +√(2quv), which blends, and an outer one. Every ray of the region
-/// meets the inner arc exactly once, between the chord L = 0 and the nearer operand:
-///   union         u = x₁/h − 1, v = x₂/h − 1, chord (r₂x₁ + r₁x₂)/(r₁ + r₂ + r₁r₂) ≤ h ≤ min, any r₁, r₂ > 0,
-///                 region x₂ < (1 + r₂)x₁ and x₁ < (1 + r₁)x₂, the root with +√ (for a of either sign);
-///   intersection  u = 1 − x₁/h, v = 1 − x₂/h, max ≤ h ≤ chord (r₂x₁ + r₁x₂)/(r₁ + r₂ − r₁r₂), r₁, r₂ > 0 with
-///                 r₁r₂ < r₁ + r₂, region x₂ > (1 − r₂)x₁ and x₁ > (1 − r₁)x₂, the root with −√. For r₂ ≥ 1
-///                 (or r₁ ≥ 1) the region reaches the axis and past it: that range then limits nothing.
+/// Scale blends: with q = r₁r₂ − p and L(u, v) = r₁r₂ − r₂u − r₁v, Hoffmann and Hopcroft's conic is
+/// B_H(u, v) = L(u, v)² − 2quv. For q > 0 it has two arcs in u, v ≥ 0, both ending in the points of tangency
+/// (r₁, 0) and (0, r₂): the inner one, L = +√(2quv), which blends, and an outer one. Every ray of the region
+/// meets the inner arc exactly once, between the chord L = 0 and the sharp result.
+///
+/// Union, any r₁, r₂ > 0: u = x₁/h − 1, v = x₂/h − 1; (r₂x₁ + r₁x₂)/(r₁ + r₂ + r₁r₂) ≤ h ≤ min(x₁, x₂);
+/// region x₂ < (1 + r₂)x₁ and x₁ < (1 + r₁)x₂; the root with +√, for a of either sign.
+///
+/// Intersection, r₁, r₂ > 0 with r₁r₂ < r₁ + r₂: u = 1 − x₁/h, v = 1 − x₂/h; max(x₁, x₂) ≤ h ≤
+/// (r₂x₁ + r₁x₂)/(r₁ + r₂ − r₁r₂); region x₂ > (1 − r₂)x₁ and x₁ > (1 − r₁)x₂; the root with −√, for a of
+/// either sign. A range above 1 limits nothing: the region then holds its axis.
+///
 /// −∞ < p < r₁r₂ gives C¹ at both edges of the region; p = r₁r₂ is the chord itself, a chamfer, only C⁰.
 
 #include "blend_point.hpp"
@@ -147,8 +149,7 @@ inline Real scale_root_by_bisection(const ScaleRanges& ranges, Real sign, Real x
 inline Real scale_root_in_closed_form(const ScaleRanges& ranges, Real sign, Real x1, Real x2) {
   const auto& [r1, r2, p] = ranges;
   const Real a = (1 + sign * 2 * r2) * r1 * r1 + (1 + sign * r1) * (1 + sign * r1) * r2 * r2 + 2 * p;
-  const Real b =
-      -2 * (x2 * (1 + sign * r2) * r1 * r1 + x1 * (1 + sign * r1) * r2 * r2 + (x1 + x2) * p);
+  const Real b = -2 * (x2 * (1 + sign * r2) * r1 * r1 + x1 * (1 + sign * r1) * r2 * r2 + (x1 + x2) * p);
   const Real c = r1 * r1 * x2 * x2 + r2 * r2 * x1 * x1 + 2 * p * x1 * x2;
   const Real root = sign * std::sqrt(std::max(b * b - 4 * a * c, Real{0}));
   const bool cancels = root > 0 ? b > 0 : b < 0;

@@ -9,3 +9,4 @@
 #include <nearfield/field/program.hpp>
 #include <nearfield/query/arm_monitor.hpp>
 #include <nearfield/query/clearance.hpp>
+#include <nearfield/query/soft_clearance.hpp>

@@ -13,7 +13,7 @@ TEST(CommandOptions, HelpTellsOfEveryVerb) {
     const Outcome outcome = folder.run({help});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
-    for (const char* verb : {"  sim ", "  check ", "  bake ", "  curve "})
+    for (const char* verb : {"  sim ", "  check ", "  bake ", "  curve ", "  eval "})
       EXPECT_NE(outcome.out.find(verb), std::string::npos);
   }
 }
@@ -27,7 +27,8 @@ TEST(CommandOptions, HelpOfAVerbTellsOfItsOptions) {
                      {"bake", {"scene", "robot", "srdf", "output", "help"}},
                      {"curve",
                       {"set", "list", "csv", "svg", "samples", "error", "bytes", "degree", "segments", "bits",
-                       "argument", "scalar", "help"}}};
+                       "argument", "scalar", "help"}},
+                     {"eval", {"points", "scalar", "output", "help"}}};
   const ScratchFolder folder;
   for (const auto& [verb, options] : cases) {
     const Outcome outcome = folder.run({verb, "--help"});

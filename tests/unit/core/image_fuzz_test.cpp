@@ -66,7 +66,7 @@ template <class S>
 void agree_with_contents(Image& image) {
   const auto size = static_cast<uint32_t>(image.size());
   const Inspection<S> found =
-      nearfield::detail::Inspector<S>(image.data(), program_first(image), size, format::header_words).run();
+      nearfield::detail::inspect_operations<S, AllOperations>(image.data(), program_first(image), size);
   if (found.status != LoadStatus::ok) return;
   image[format::kind_word] = static_cast<uint32_t>(found.kind);
   image[format::stack_depth_word] = static_cast<uint32_t>(found.stack_depth);

@@ -208,7 +208,7 @@ TYPED_TEST(ImageOf, UnknownAndTruncatedOperations) {
   for (const uint32_t words : {0u, 3u, 5u, 0xffffffu, static_cast<uint32_t>(good.size())}) {
     EXPECT_EQ(with_payload(ball_at, words), LoadStatus::truncated_operation) << words;
   }
-  const uint32_t blend_at = find_operation(good, Operation::exterior_union);
+  const uint32_t blend_at = find_operation(good, Operation::additive_union);
   EXPECT_EQ(with_payload(blend_at, (good[blend_at] >> 8) + 1), LoadStatus::truncated_operation);
   EXPECT_EQ(with_payload(find_operation(good, Operation::enter_slot), 0), LoadStatus::truncated_operation);
   EXPECT_EQ(with_payload(find_operation(good, Operation::enter_pose), 1), LoadStatus::truncated_operation);
@@ -218,7 +218,7 @@ TYPED_TEST(ImageOf, BadTableReferences) {
   using S = TypeParam;
   for (const Image& good : {small_soft_image<S>(), small_distance_image<S>()}) {
     const uint32_t found = find_operation(good, Operation::soft_point);
-    const uint32_t at = found != 0 ? found : find_operation(good, Operation::exterior_union);
+    const uint32_t at = found != 0 ? found : find_operation(good, Operation::additive_union);
     const uint32_t reference = at + (good[at] >> 8);
     ASSERT_EQ(good[reference], format::header_words);
     const auto size = static_cast<uint32_t>(good.size());
@@ -362,7 +362,7 @@ TYPED_TEST(ImageOf, ScalesThatDoNotFit) {
   using S = TypeParam;
   for (const Image& good : {small_soft_image<S>(), small_distance_image<S>()}) {
     const uint32_t found = find_operation(good, Operation::soft_point);
-    const uint32_t at = found != 0 ? found : find_operation(good, Operation::exterior_union);
+    const uint32_t at = found != 0 ? found : find_operation(good, Operation::additive_union);
     const uint32_t first = found != 0 ? at + 4 : at + 1;  // behind the centre of a soft point
     for (uint32_t word = first; word < at + (good[at] >> 8); ++word) {
       const bool is_weight = found != 0 && word == at + 5;

@@ -55,6 +55,10 @@ TEST(FormatsPage, NamesEveryOperatorParameterAndChoice) {
       expect_named(choice.key);
       for (const std::string_view name : choice.names) expect_named("\"" + std::string(name) + "\"");
     }
+    for (const CurveDescription& curve : row.curves) {
+      expect_named(curve.key);
+      expect_named("\"" + std::string(curve.default_name) + "\"");
+    }
   }
 }
 

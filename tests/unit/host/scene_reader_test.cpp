@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "input_error_expectation.hpp"
+#include "model/curve_reader.hpp"
 #include "scene_text.hpp"
 
 namespace nearfield::host {
@@ -66,17 +68,23 @@ TEST(SceneReader, ReadsFieldNodes) {
   EXPECT_THROW(static_cast<void>(sphere.number("size")), std::out_of_range);
 }
 
-TEST(SceneReader, TheSceneOfTheseTestsUsesEveryOperator) {
-  const SceneDescription scene = parse_scene(scene_text, "f");
-  std::set<std::string_view> used;
-  std::vector<const FieldNode*> pending{&scene.field, &*scene.soft};
-  while (!pending.empty()) {
-    const FieldNode* node = pending.back();
-    pending.pop_back();
-    used.insert(node->operator_->name);
-    for (const FieldNode& operand : node->operands) pending.push_back(&operand);
-  }
-  EXPECT_EQ(used.size(), all_operators().size());
+TEST(SceneReader, ReadsFieldsOfAnyKindWhereTheyAreOnlyEvaluated) {
+  const auto scene = [](const std::string& field) {
+    return "{\"format\": \"nearfield-scene-1\", \"name\": \"a\", \"field\":\n" + field + "}";
+  };
+  const std::string soft = scene("{\"type\": \"soft_point\", \"influence_radius\": 1}");
+  const SceneDescription read = parse_scene_of_any_kind(soft, "file");
+  EXPECT_EQ(read.field.kind, FieldKind::intensity);
+  EXPECT_EQ(read.duration, 0.0);
+  const std::string mixed = "{\"type\": \"soft_sum\", \"operands\": [{\"type\": \"ray_point\"}]}";
+  const std::vector<Malformed> cases{
+      {scene(mixed),
+       "file:2:35: field.operands[0]: \"ray_point\" yields a ray value; an intensity is needed here"},
+      {scene("{\"type\": \"soft_some\"}"),
+       "file:2:10: field.type: unknown name \"soft_some\" (did you mean \"soft_sum\"?)"},
+  };
+  for (const Malformed& malformed : cases) expect_input_error(parse_scene_of_any_kind, malformed);
+  expect_input_error(parse_scene, {soft, "file:1:1: duration: missing"});
 }
 
 TEST(SceneReader, RefusesWrongScenes) {
@@ -195,6 +203,10 @@ TEST(Operators, TheTableIsConsistent) {
         EXPECT_TRUE(contains(parameter.range, value)) << row.name;
     }
     for (const ChoiceDescription& choice : row.choices) EXPECT_FALSE(choice.names.empty()) << row.name;
+    for (const CurveDescription& curve : row.curves) {
+      const std::vector<std::string_view> known = curve_names(curve.family);
+      EXPECT_EQ(std::count(known.begin(), known.end(), curve.default_name), 1) << row.name;
+    }
   }
 }
 

@@ -4,7 +4,7 @@
 
 namespace nearfield::host {
 
-// A scene with every key and every operator.
+// A scene with every key that is not a parameter of a node.
 inline const std::string scene_text = R"({
   "format": "nearfield-scene-1",
   "name": "cell",
@@ -21,8 +21,8 @@ inline const std::string scene_text = R"({
     {"type": "subtraction", "operands": [{"type": "sphere", "radius": 4}, {"type": "sphere", "radius": 5}]}]},
     {"type": "exterior_intersection", "blend_radius": 0.1, "rising_range": 0.4, "operands": [
       {"type": "sphere", "radius": 6}, {"type": "sphere", "radius": 7}]},
-    {"type": "exterior_subtraction", "blend_radius": 1, "rising_range": 1, "operands": [
-      {"type": "sphere", "radius": 8}, {"type": "sphere", "radius": 9}]},
+    {"type": "exterior_subtraction", "blend_radius": 1, "rising_range": 1, "step": {"curve": "logistic"},
+      "operands": [{"type": "sphere", "radius": 8}, {"type": "sphere", "radius": 9}]},
     {"type": "place", "position": [0, 1, 0], "operands": [{"type": "sphere", "radius": 10}]}
   ]},
   "soft": {"type": "soft_sum", "operands": [

@@ -5,11 +5,12 @@
 
 namespace nearfield {
 
-// Saturating sum; exact in range.
+// Saturating sum; exact in range for Fixed.
 template <class S> struct SoftSum {
   using Scalar = S;
   static constexpr Kind kind = Kind::intensity;
   static constexpr int fixed_operand_count = 2;
+  static constexpr bool has_highest = true;
 
   template <class Out> constexpr Out combine(const Out& a, const Out& b) const {
     Out out;
@@ -17,8 +18,20 @@ template <class S> struct SoftSum {
     if constexpr (Out::has_gradient) out.gradient = a.gradient + b.gradient;
     return out;
   }
+  // What has left the number range upwards stays there, whatever is added.
+  constexpr Highest<S> highest(const Highest<S>& a, const Highest<S>& b, const Ball<S>&) const {
+    constexpr S most = ScalarTraits<S>::greatest();
+    return a.value >= most || b.value >= most ? Highest<S>{most} : combine(a, b);
+  }
   constexpr Certificate<S> certificate(OperandCertificates<S> of, const TableFacts&, Reach<S>) const {
-    return worst_of(of[0], of[1]);
+    using T = ScalarTraits<S>;
+    Certificate<S> sum = worst_of(of[0], of[1]);
+    sum.lipschitz = of[0].lipschitz + of[1].lipschitz;
+    sum.error = of[0].error + of[1].error;
+    // The error of a float potential is at least 2^-18 of its greatest value (shape/soft.hpp), a sum's rounding at most
+    // 2^-24 of its own.
+    if constexpr (!T::is_fixed) sum.error = sum.error * 1.015625f;
+    return sum;
   }
 };
 

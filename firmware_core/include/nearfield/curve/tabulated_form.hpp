@@ -39,6 +39,22 @@ template <class Curve> struct OverSquare {
 };
 template <class Curve> constexpr OverSquare<Curve> over_square(Curve curve) { return {curve}; }
 
+// A curve from 0 to the end of its range, facts().to, as a function over [0, 1]: for tables over r or over ray values,
+// whose limit is that end (of a distance: times the influence radius).
+template <class Curve> struct OverRange {
+  Curve curve;
+  constexpr detail::Breaks breaks() const {
+    const CurveFacts facts = curve.facts();
+    detail::Breaks breaks;
+    for (int i = 0; i < facts.break_count; ++i) {
+      if (facts.breaks[i] > 0.0) breaks.places[breaks.count++] = facts.breaks[i];
+    }
+    return breaks;
+  }
+  constexpr Differentiable operator()(const Differentiable& u) const { return curve(curve.facts().to * u); }
+};
+template <class Curve> constexpr OverRange<Curve> over_range(Curve curve) { return {curve}; }
+
 namespace detail {
 
 // Where a fraction of the curve's range lies in its tabulated form.

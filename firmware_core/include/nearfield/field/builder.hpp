@@ -51,6 +51,17 @@ template <class S, uint32_t Capacity> class ImageBuilder {
     append(slot);
     return *this;
   }
+  constexpr ImageBuilder& enter_box(const Vector3<S>& half_extents) {
+    append(static_cast<uint32_t>(Operation::enter_box) | payload_words<Vector3<S>> << 8);
+    append_payload(half_extents);
+    return *this;
+  }
+  // The same half extents again, with the field's Lipschitz constant over the box.
+  constexpr ImageBuilder& leave_box(const DeclaredBox<S>& box) {
+    append(static_cast<uint32_t>(Operation::leave_box) | payload_words<DeclaredBox<S>> << 8);
+    append_payload(box);
+    return *this;
+  }
   constexpr ImageBuilder& leave() {
     append(static_cast<uint32_t>(Operation::leave));
     return *this;
@@ -65,7 +76,7 @@ template <class S, uint32_t Capacity> class ImageBuilder {
       return found;
     }
     const uint32_t program_first = header_words + words_[table_words];
-    found = detail::Inspector<S>(words_, program_first, size_, header_words).run();
+    found = detail::inspect_operations<S, AllOperations>(words_, program_first, size_);
     words_[magic_word] = magic;
     words_[version_word] = version;
     words_[size_word] = size_;

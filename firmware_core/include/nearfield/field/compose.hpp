@@ -31,6 +31,12 @@ template <class A> struct Placed {
   Pose<Scalar> pose;
   A a;
 };
+template <class A> struct InBox {
+  using Scalar = typename A::Scalar;
+  static constexpr Kind kind = Kind::distance;
+  DeclaredBox<Scalar> box;
+  A a;
+};
 template <class A> struct InSlot {
   using Scalar = typename A::Scalar;
   static constexpr Kind kind = A::kind;
@@ -40,21 +46,35 @@ template <class A> struct InSlot {
 
 namespace detail {
 
-// One meaning of each node for evaluation, certificate, budget and slots: the recursion over the node's type.
+// One meaning of each node for evaluation, greatest values, certificate, budget and slots: the recursion over the node's
+// type.
 template <class Shape> struct NodeTraits {
   using S = typename Shape::Scalar;
   template <class Out> static constexpr Out evaluate(const Shape& shape, const Vector3<S>& p, const Pose<S>*) {
     return shape.template evaluate<Out>(p);
+  }
+  static constexpr bool has_highest = passes_highest<Shape>;
+  static constexpr Highest<S> highest(const Shape& shape, const Vector3<S>& p, const Ball<S>& ball, const Pose<S>*) {
+    if constexpr (has_own_highest<Shape>) return shape.highest(p, ball);
+    else return shape.template evaluate<Highest<S>>(p);
   }
   static constexpr Certificate<S> certificate(const Shape& shape, Reach<S> reach) { return shape.certificate(reach); }
   static constexpr Budget budget(const Shape& shape) { return cortex_m4_cost(shape); }
   static constexpr uint32_t slot_count(const Shape&) { return 0; }
 };
 
+// Whether sample_table() may be asked for slopes: as in an image.
+template <class View> constexpr bool slopes_fit(const View& table) {
+  return table.slope_headroom <= 3 && table.slope_headroom <= table.index_bits;
+}
+
 // The same of the operands, into arrays.
 template <class... Operand> struct NodeListTraits;
 template <> struct NodeListTraits<> {
   template <class Out, class S> static constexpr void evaluate(Out*, const NodeList<>&, const Vector3<S>&, const Pose<S>*) {}
+  static constexpr bool has_highest = true;
+  template <class S>
+  static constexpr void highest(Highest<S>*, const NodeList<>&, const Vector3<S>&, const Ball<S>&, const Pose<S>*) {}
   template <class S> static constexpr void certificates(Certificate<S>*, const NodeList<>&, Reach<S>) {}
   static constexpr Budget budget(const NodeList<>&) { return {}; }
   static constexpr uint32_t slot_count(const NodeList<>&) { return 0; }
@@ -66,6 +86,13 @@ template <class First, class... Rest> struct NodeListTraits<First, Rest...> {
   static constexpr void evaluate(Out* out, const List& list, const Vector3<S>& p, const Pose<S>* slots) {
     *out = NodeTraits<First>::template evaluate<Out>(list.first, p, slots);
     Others::template evaluate<Out, S>(out + 1, list.rest, p, slots);
+  }
+  static constexpr bool has_highest = NodeTraits<First>::has_highest && Others::has_highest;
+  template <class S>
+  static constexpr void highest(Highest<S>* out, const List& list, const Vector3<S>& p, const Ball<S>& ball,
+                                const Pose<S>* slots) {
+    *out = NodeTraits<First>::highest(list.first, p, ball, slots);
+    Others::template highest<S>(out + 1, list.rest, p, ball, slots);
   }
   template <class S> static constexpr void certificates(Certificate<S>* out, const List& list, Reach<S> reach) {
     *out = NodeTraits<First>::certificate(list.first, reach);
@@ -92,14 +119,29 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
       return combined<Out>(node, of);
     }
   }
+  static constexpr bool has_highest = passes_highest<T> && Operands::has_highest;
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Pose<S>* slots) {
+    if constexpr (count == 0) {
+      if constexpr (has_own_highest<T>) return node.operation.highest(p, ball, node.table);
+      else return node.operation.template evaluate<Highest<S>>(p, node.table);
+    } else {
+      Highest<S> of[static_cast<size_t>(count)] = {};
+      Operands::template highest<S>(of, node.operands, p, ball, slots);
+      if constexpr (!has_own_highest<T>) return combined<Highest<S>>(node, of);
+      else return combined_highest(node, of, ball);
+    }
+  }
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
     if constexpr (count == 0) {
-      return node.operation.certificate(reach);
+      Certificate<S> own = node.operation.certificate(reach, node.facts);
+      own.valid = own.valid && slopes_fit(node.table);
+      return own;
     } else {
       Certificate<S> of[static_cast<size_t>(count)] = {};
       Operands::template certificates<S>(of, node.operands, reach);
       Certificate<S> all = node.operation.certificate(of, node.facts, reach);
       if constexpr (operand_count_of<T> == kAnyNumber) all.valid = all.valid && node.operation.operand_count() == count;
+      all.valid = all.valid && slopes_fit(node.table);
       return all;
     }
   }
@@ -107,6 +149,14 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
   static constexpr uint32_t slot_count(const Node& node) { return Operands::slot_count(node.operands); }
 
  private:
+  static constexpr Highest<S> combined_highest(const Node& node, const Highest<S>* of, const Ball<S>& ball) {
+    static_assert(count <= 2, "greatest values in a ball are of one or two operands");
+    const T& operation = node.operation;
+    if constexpr (count == 1 && uses_table<T>) return operation.highest(of[0], ball, node.table);
+    else if constexpr (count == 1) return operation.highest(of[0], ball);
+    else if constexpr (uses_table<T>) return operation.highest(of[0], of[1], ball, node.table);
+    else return operation.highest(of[0], of[1], ball);
+  }
   template <class Out> static constexpr Out combined(const Node& node, const Out* of) {
     const T& operation = node.operation;
     if constexpr (operand_count_of<T> == kAnyNumber) {
@@ -130,14 +180,39 @@ template <class A> struct NodeTraits<Placed<A>> {
     if constexpr (Out::has_gradient) out.gradient = rotate(node.pose.rotation, out.gradient);
     return out;
   }
+  static constexpr bool has_highest = NodeTraits<A>::has_highest;
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Pose<S>* slots) {
+    return NodeTraits<A>::highest(node.a, to_inner(node.pose, p),
+                                  inner_ball(ball, node.pose.translation, PoseOrigin::constant), slots);
+  }
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
     const Reach<S> inner = inner_reach(reach, node.pose.translation);
-    Certificate<S> placed = placed_certificate(NodeTraits<A>::certificate(node.a, inner), inner, PoseOrigin::constant);
+    Certificate<S> placed =
+        placed_certificate(NodeTraits<A>::certificate(node.a, inner), A::kind, inner, PoseOrigin::constant);
     placed.valid = placed.valid && valid_pose(node.pose);
     return placed;
   }
   static constexpr Budget budget(const Node& node) {
     return NodeTraits<A>::budget(node.a) + cortex_m4_cost(Operation::enter_pose) + cortex_m4_cost(Operation::leave);
+  }
+  static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
+};
+
+template <class A> struct NodeTraits<InBox<A>> {
+  using Node = InBox<A>;
+  using S = typename Node::Scalar;
+  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Pose<S>* slots) {
+    return node.box.at(p, NodeTraits<A>::template evaluate<Out>(node.a, node.box.nearest_inside(p), slots));
+  }
+  static constexpr bool has_highest = NodeTraits<A>::has_highest;
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>&, const Pose<S>* slots) {
+    return evaluate<Highest<S>>(node, p, slots);
+  }
+  static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
+    return node.box.certificate(NodeTraits<A>::certificate(node.a, node.box.reach()), reach);
+  }
+  static constexpr Budget budget(const Node& node) {
+    return NodeTraits<A>::budget(node.a) + cortex_m4_cost(Operation::enter_box) + cortex_m4_cost(Operation::leave_box);
   }
   static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
 };
@@ -151,10 +226,17 @@ template <class A> struct NodeTraits<InSlot<A>> {
     if constexpr (Out::has_gradient) out.gradient = rotate(pose.rotation, out.gradient);
     return out;
   }
+  static constexpr bool has_highest = NodeTraits<A>::has_highest;
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Pose<S>* slots) {
+    const Pose<S>& pose = slots[node.slot];
+    return NodeTraits<A>::highest(node.a, to_inner(pose, p), inner_ball(ball, pose.translation, PoseOrigin::run_time),
+                                  slots);
+  }
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
     const S d = ScalarTraits<S>::domain();
     const Reach<S> inner = inner_reach(reach, Vector3<S>{d, d, d});
-    Certificate<S> placed = placed_certificate(NodeTraits<A>::certificate(node.a, inner), inner, PoseOrigin::run_time);
+    Certificate<S> placed =
+        placed_certificate(NodeTraits<A>::certificate(node.a, inner), A::kind, inner, PoseOrigin::run_time);
     placed.valid = placed.valid && node.slot < kSlotLimit;
     return placed;
   }
@@ -180,7 +262,7 @@ template <class T> using NotDeduced = typename SameType<T>::type;
 template <class T, class... Operand> constexpr auto combine(const T& operation, const Operand&... operand) {
   static_assert(((Operand::kind == detail::operand_kind_of<T>) && ...), "an operand is of the wrong kind");
   static_assert(!detail::uses_table<T>, "this operation needs a table");
-  static_assert(detail::operand_count_of<T> == kAnyNumber || detail::operand_count_of<T> == sizeof...(Operand),
+  static_assert(detail::operand_count_of<T> == kAnyNumber || detail::operand_count_of<T> == static_cast<int>(sizeof...(Operand)),
                 "not the number of operands that the operation takes");
   return Combined<T, TableView<typename T::Scalar>, Operand...>{operation, {}, {}, detail::list(operand...)};
 }
@@ -188,7 +270,7 @@ template <class T, class S, int segments, int degree, int bits, class... Operand
 constexpr auto combine(const T& operation, const Table<S, segments, degree, bits>& table, const Operand&... operand) {
   static_assert(((Operand::kind == detail::operand_kind_of<T>) && ...), "an operand is of the wrong kind");
   static_assert(detail::uses_table<T>, "this operation has no table");
-  static_assert(detail::operand_count_of<T> == kAnyNumber || detail::operand_count_of<T> == sizeof...(Operand),
+  static_assert(detail::operand_count_of<T> == kAnyNumber || detail::operand_count_of<T> == static_cast<int>(sizeof...(Operand)),
                 "not the number of operands that the operation takes");
   return Combined<T, TableView<S, degree, bits>, Operand...>{operation, table.view(), table.facts, detail::list(operand...)};
 }
@@ -253,6 +335,15 @@ template <class A, class B, class... More> constexpr auto soft_sum(const A& a, c
 template <class A> constexpr Placed<A> place(const Pose<typename A::Scalar>& pose, const A& a) { return {pose, a}; }
 template <class A> constexpr InSlot<A> in_slot(uint32_t slot, const A& a) { return {slot, a}; }
 
+// The distance that an algebraic field gives within the box |x| <= half.x ... about the local origin: see DeclaredBox.
+template <class A> constexpr InBox<A> in_box(const Vector3<typename A::Scalar>& half, const A& a) {
+  static_assert(A::kind == Kind::algebraic, "an operand is of the wrong kind");
+  using S = typename A::Scalar;
+  DeclaredBox<S> box;
+  box.half = half;
+  return {DeclaredBox<S>(half, detail::NodeTraits<A>::certificate(a, box.reach()).lipschitz), a};
+}
+
 // A composition that has been checked once: what queries accept. An invalid one (parameters out of range) exists, but
 // every query to it answers `invalid`; static_assert(field.valid()) makes it an error of compilation.
 template <class Node> class Field {
@@ -272,6 +363,13 @@ template <class Node> class Field {
 
   template <class Out> constexpr Out evaluate(const Vector3<Scalar>& p, const Pose<Scalar>* slots) const {
     return detail::NodeTraits<Node>::template evaluate<Out>(node_, p, slots);
+  }
+
+  // Of an intensity: whether highest() tells anything.
+  static constexpr bool has_highest() { return kind() == Kind::intensity && detail::NodeTraits<Node>::has_highest; }
+  // Nowhere within `radius` metres of p is the intensity greater than this and certificate().error together.
+  constexpr Highest<Scalar> highest(const Vector3<Scalar>& p, Scalar radius, const Pose<Scalar>* slots) const {
+    return detail::NodeTraits<Node>::highest(node_, p, Ball<Scalar>{radius, domain_reach<Scalar>().radius}, slots);
   }
 
  private:

@@ -15,7 +15,7 @@ enum class LoadStatus : uint8_t {
   crc_mismatch,
   wrong_scalar,        // made for another number type
   bad_table,           // segment count, headroom, coefficients that could overflow, or facts that do not hold
-  unknown_operation,
+  unknown_operation,   // or one that the loader was built without
   truncated_operation,
   bad_table_reference,
   kind_mismatch,       // an operand of the wrong kind, or a program that does not end with exactly one result
@@ -84,6 +84,8 @@ template <class S> struct Inspection {
   int stack_depth = 0;
   int frame_depth = 0;
   uint32_t slot_count = 0;
+  Certificate<S> boxed;     // of the last algebraic field in a declared box; not valid if there was none
+  bool has_highest = true;  // of an intensity: whether its greatest value in a ball can be told
 };
 
 namespace detail {
@@ -94,7 +96,7 @@ constexpr TableFacts read_facts(const uint32_t* table) {
 }
 
 // The abstract machine: evaluates a program on certificates instead of values.
-template <class S> class Inspector {
+template <class S, class Operations> class Inspector {
  public:
   constexpr Inspector(const uint32_t* image, uint32_t first, uint32_t last, uint32_t tables_first)
       : image_(image), at_(first), last_(last), tables_first_(tables_first), tables_last_(first) {
@@ -130,12 +132,16 @@ template <class S> class Inspector {
   constexpr void step(Operation operation, uint32_t words) {
     switch (operation) {
 #define NEARFIELD_CASE(code, name, type, value, gradient) \
-  case Operation::name: return operate<type<S>>(words);
+  case Operation::name:                                   \
+    if constexpr (Operations::has(Operation::name)) return operate<type<S>>(words); \
+    break;
       NEARFIELD_OPERATIONS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
       case Operation::enter_pose: return enter_pose(words);
       case Operation::enter_slot: return enter_slot(words);
       case Operation::leave: return leave(words);
+      case Operation::enter_box: return enter_box(words);
+      case Operation::leave_box: return leave_box(words);
     }
     fail(LoadStatus::unknown_operation);
   }
@@ -175,8 +181,10 @@ template <class S> class Inspector {
       if (!table_found<T>()) return;
     }
     result_.budget = result_.budget + cortex_m4_cost(operation);
+    result_.has_highest = result_.has_highest && passes_highest<T>;
     if constexpr (operand_count_of<T> == 0) {
-      push(T::kind, operation.certificate(reach_[frames_]));
+      if constexpr (uses_table<T>) push(T::kind, operation.certificate(reach_[frames_], read_facts(image_ + table_)));
+      else push(T::kind, operation.certificate(reach_[frames_]));
     } else {
       const TableFacts facts = uses_table<T> ? read_facts(image_ + table_) : TableFacts{};
       push(T::kind, operation.certificate(certificates_ + stack_, facts, reach_[frames_]));
@@ -204,6 +212,7 @@ template <class S> class Inspector {
     reach_[frames_ + 1] = inner_reach(reach_[frames_], translation);
     origins_[frames_] = origin;
     floors_[frames_] = stack_;
+    boxes_[frames_] = 0;
     ++frames_;
     if (frames_ > result_.frame_depth) result_.frame_depth = frames_;
   }
@@ -235,15 +244,57 @@ template <class S> class Inspector {
     const S d = ScalarTraits<S>::domain();
     enter({d, d, d}, PoseOrigin::run_time);
   }
+  constexpr void enter_box(uint32_t words) {
+    result_.budget = result_.budget + cortex_m4_cost(Operation::enter_box);
+    if (words != payload_words<Vector3<S>>) {
+      fail(LoadStatus::truncated_operation);
+      return;
+    }
+    enter({}, PoseOrigin::constant);
+    if (result_.status != LoadStatus::ok) return;
+    boxes_[frames_ - 1] = payload_;
+    // Of the whole domain if the half extents are not valid: leave_box refuses them.
+    DeclaredBox<S> box;
+    box.half = read_payload<Vector3<S>>(image_ + payload_);
+    if (box.half_valid()) reach_[frames_] = box.reach();
+  }
+  // What enter_box found, and one algebraic result more.
+  constexpr void leave_box(uint32_t words) {
+    result_.budget = result_.budget + cortex_m4_cost(Operation::leave_box);
+    if (words != payload_words<DeclaredBox<S>>) {
+      fail(LoadStatus::truncated_operation);
+      return;
+    }
+    if (frames_ == 0 || stack_ != floors_[frames_ - 1] + 1 || boxes_[frames_ - 1] == 0) {
+      fail(LoadStatus::frames_unbalanced);
+      return;
+    }
+    if (kinds_[stack_ - 1] != DeclaredBox<S>::operand_kind) {
+      fail(LoadStatus::kind_mismatch);
+      return;
+    }
+    const DeclaredBox<S> box = read_payload<DeclaredBox<S>>(image_ + payload_);
+    const uint32_t* entered = image_ + boxes_[frames_ - 1];
+    for (uint32_t i = 0; i < payload_words<Vector3<S>>; ++i) {
+      if (entered[i] != image_[payload_ + i]) {
+        fail(LoadStatus::parameter_out_of_range);
+        return;
+      }
+    }
+    result_.boxed = certificates_[stack_ - 1];
+    --frames_;
+    --stack_;
+    push(DeclaredBox<S>::kind, box.certificate(result_.boxed, reach_[frames_]));
+  }
   // A frame must leave exactly one result more than it found.
   constexpr void leave(uint32_t words) {
     result_.budget = result_.budget + cortex_m4_cost(Operation::leave);
-    if (words != 0 || frames_ == 0 || stack_ != floors_[frames_ - 1] + 1) {
+    if (words != 0 || frames_ == 0 || stack_ != floors_[frames_ - 1] + 1 || boxes_[frames_ - 1] != 0) {
       fail(LoadStatus::frames_unbalanced);
       return;
     }
     Certificate<S>& top = certificates_[stack_ - 1];
-    top = placed_certificate(top, reach_[frames_], origins_[frames_ - 1]);
+    top = placed_certificate(top, kinds_[stack_ - 1], reach_[frames_], origins_[frames_ - 1]);
     --frames_;
   }
   constexpr int floor() const { return frames_ == 0 ? 0 : floors_[frames_ - 1]; }
@@ -257,8 +308,20 @@ template <class S> class Inspector {
   Reach<S> reach_[kFrameDepth + 1] = {};
   PoseOrigin origins_[kFrameDepth] = {};
   int floors_[kFrameDepth] = {};
+  uint32_t boxes_[kFrameDepth] = {};  // where a box's half extents are; 0 for a frame
   Inspection<S> result_;
 };
+
+// What Inspector finds; at run time by a function that is compiled once (program.hpp: NEARFIELD_PROGRAMS).
+template <class S, class Operations>
+Inspection<S> inspect_operations_at_run_time(const uint32_t* image, uint32_t first, uint32_t last) {
+  return Inspector<S, Operations>(image, first, last, image_format::header_words).run();
+}
+template <class S, class Operations>
+constexpr Inspection<S> inspect_operations(const uint32_t* image, uint32_t first, uint32_t last) {
+  if (!__builtin_is_constant_evaluated()) return inspect_operations_at_run_time<S, Operations>(image, first, last);
+  return Inspector<S, Operations>(image, first, last, image_format::header_words).run();
+}
 
 // Whether the kernel can run on a table of the image without leaving the number range, and its facts hold. What the
 // coefficients cannot tell is facts.error: how far they are from the function that was meant.
@@ -276,7 +339,8 @@ template <class S> constexpr bool table_holds(const uint32_t* table) {
 
 // Checks an image of `word_count` words completely: after `ok` no evaluation can fail, overflow or read outside it.
 // Time: bounded, about 320 instructions a word on Cortex-M4 (the CRC, tables and operations).
-template <class S> constexpr Inspection<S> inspect_image(const uint32_t* words, uint32_t word_count) {
+template <class S, class Operations = AllOperations>
+constexpr Inspection<S> inspect_image(const uint32_t* words, uint32_t word_count) {
   using namespace image_format;
   Inspection<S> failed;
   const auto fail = [&failed](LoadStatus status, uint32_t at) {
@@ -303,7 +367,7 @@ template <class S> constexpr Inspection<S> inspect_image(const uint32_t* words, 
     }
     table += table_header_words + (4u << words[table]);
   }
-  const Inspection<S> found = detail::Inspector<S>(words, tables_last, size, header_words).run();
+  const Inspection<S> found = detail::inspect_operations<S, Operations>(words, tables_last, size);
   if (found.status != LoadStatus::ok) return found;
   if (words[kind_word] != static_cast<uint32_t>(found.kind) ||
       words[stack_depth_word] != static_cast<uint32_t>(found.stack_depth) ||

@@ -5,9 +5,20 @@
 
 namespace nearfield {
 
+namespace detail {
+
+// What a machine knows of the ball that it evaluates over, if it does.
+template <class Out> struct BallOfMachine {};
+template <class S> struct BallOfMachine<Highest<S>> {
+  Ball<S> ball;
+  Ball<S> outer_balls[kFrameDepth];
+};
+
+}  // namespace detail
+
 // The field that an image describes, evaluated in place. Holds a pointer to the image, which must stay where it is
 // and unchanged. Only a program with status ok may be evaluated; queries refuse any other.
-template <class S> class Program {
+template <class S, class Operations = AllOperations> class Program {
  public:
   using Scalar = S;
 
@@ -28,15 +39,13 @@ template <class S> class Program {
   constexpr uint32_t slot_count() const { return inspection_.slot_count; }
 
   // Precondition: status ok, p within the domain, slot_count() valid poses in `slots` (null if there are none).
-  template <class Out> Out evaluate(const Vector3<S>& p, const Pose<S>* slots) const {
-    Machine<Out> machine(p, slots);
-    for (const uint32_t *at = image_ + first_, *last = image_ + last_; at != last;) {
-      const uint32_t word = *at++;
-      step(machine, static_cast<Operation>(word & 0xffu), at);
-      at += word >> 8;
-    }
-    return machine.top;
-  }
+  template <class Out> Out evaluate(const Vector3<S>& p, const Pose<S>* slots) const;
+
+  // Of an intensity: whether highest() tells anything.
+  constexpr bool has_highest() const { return kind() == Kind::intensity && inspection_.has_highest; }
+  // Nowhere within `radius` metres of p is the intensity greater than this and certificate().error together.
+  // Preconditions as above.
+  Highest<S> highest(const Vector3<S>& p, S radius, const Pose<S>* slots) const;
 
  private:
   // Results that lie in the stack as plain words.
@@ -47,7 +56,8 @@ template <class S> class Program {
 
   // The result on top of the stack is kept apart, so that it stays in registers. What is below it, and the frames, are
   // plain words: they need no initialisation.
-  template <class Out> struct Machine {
+  template <class Out> struct Machine : detail::BallOfMachine<Out> {
+    static constexpr bool finds_highest = !__is_empty(detail::BallOfMachine<Out>);
     static constexpr uint32_t result_words = payload_words<Out>, point_words = payload_words<Vector3<S>>;
 
     Machine(const Vector3<S>& p, const Pose<S>* poses) : point(p), slots(poses) {}
@@ -74,14 +84,27 @@ template <class S> class Program {
       ++frame_depth;
       point = inner_point;
     }
+    // The ball as the frame sees it that was entered last.
+    void move_ball(const Vector3<S>& translation, PoseOrigin origin) {
+      this->outer_balls[frame_depth - 1] = this->ball;
+      this->ball = inner_ball(this->ball, translation, origin);
+    }
     void leave() {
       --frame_depth;
+      if constexpr (finds_highest) this->ball = this->outer_balls[frame_depth];
       point = fetch<Vector3<S>>(outer_points + frame_depth * point_words);
       if constexpr (Out::has_gradient) {
         const Pose<S>* slot = frame_slot[frame_depth];
         top.gradient = slot != nullptr ? rotate(slot->rotation, top.gradient)
                                        : rotate(fetch<Pose<S>>(frame_constant[frame_depth]).rotation, top.gradient);
       }
+    }
+
+    void leave_box(const DeclaredBox<S>& box) {
+      --frame_depth;
+      if constexpr (finds_highest) this->ball = this->outer_balls[frame_depth];
+      point = fetch<Vector3<S>>(outer_points + frame_depth * point_words);
+      top = box.at(point, top);
     }
 
     Vector3<S> point;
@@ -113,7 +136,9 @@ template <class S> class Program {
   template <class T, class Out> __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
     constexpr int count = detail::operand_count_of<T>;
     const T operation = fetch<T>(payload);
-    if constexpr (count == kAnyNumber) {
+    if constexpr (Machine<Out>::finds_highest && detail::has_own_highest<T>) {
+      find_highest(m, operation, payload);
+    } else if constexpr (count == kAnyNumber) {
       operate_on_all<T>(m, operation, payload);
     } else if constexpr (detail::uses_table<T>) {
       const TableView<S> view = table(payload[payload_words<T>]);
@@ -124,6 +149,20 @@ template <class S> class Program {
       if constexpr (count == 0) m.push(operation.template evaluate<Out>(m.point));
       else if constexpr (count == 1) m.top = operation.combine(m.top);
       else m.top = operation.combine(m.pop_below(), m.top);
+    }
+  }
+  template <class T, class Out> void find_highest(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
+    constexpr int count = detail::operand_count_of<T>;
+    static_assert(count >= 0 && count <= 2, "greatest values in a ball are of at most two operands");
+    if constexpr (detail::uses_table<T>) {
+      const TableView<S> view = table(payload[payload_words<T>]);
+      if constexpr (count == 0) m.push(operation.highest(m.point, m.ball, view));
+      else if constexpr (count == 1) m.top = operation.highest(m.top, m.ball, view);
+      else m.top = operation.highest(m.pop_below(), m.top, m.ball, view);
+    } else {
+      if constexpr (count == 0) m.push(operation.highest(m.point, m.ball));
+      else if constexpr (count == 1) m.top = operation.highest(m.top, m.ball);
+      else m.top = operation.highest(m.pop_below(), m.top, m.ball);
     }
   }
   // Apart from the others, so that what they need does not weigh on all.
@@ -138,16 +177,28 @@ template <class S> class Program {
   __attribute__((always_inline)) void step(Machine<Out>& m, Operation operation, const uint32_t* payload) const {
     switch (operation) {
 #define NEARFIELD_CASE(code, name, type, value, gradient) \
-  case Operation::name: return operate<type<S>>(m, payload);
+  case Operation::name:                                   \
+    if constexpr (Operations::has(Operation::name)) return operate<type<S>>(m, payload); \
+    return;
       NEARFIELD_OPERATIONS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
       case Operation::enter_pose:
         m.enter(nullptr, payload, to_inner(fetch<Pose<S>>(payload), m.point));
+        if constexpr (Machine<Out>::finds_highest) m.move_ball(fetch<Pose<S>>(payload).translation, PoseOrigin::constant);
         return;
       case Operation::enter_slot:
         m.enter(m.slots + payload[0], nullptr, to_inner(m.slots[payload[0]], m.point));
+        if constexpr (Machine<Out>::finds_highest) m.move_ball(m.slots[payload[0]].translation, PoseOrigin::run_time);
         return;
       case Operation::leave: m.leave(); return;
+      case Operation::enter_box: {
+        DeclaredBox<S> box;
+        box.half = fetch<Vector3<S>>(payload);
+        m.enter(nullptr, payload, box.nearest_inside(m.point));
+        if constexpr (Machine<Out>::finds_highest) m.move_ball({}, PoseOrigin::constant);
+        return;
+      }
+      case Operation::leave_box: m.leave_box(fetch<DeclaredBox<S>>(payload)); return;
     }
   }
 
@@ -162,12 +213,54 @@ template <class S> class Program {
   }
 };
 
+template <class S, class Operations>
+template <class Out>
+Out Program<S, Operations>::evaluate(const Vector3<S>& p, const Pose<S>* slots) const {
+  Machine<Out> machine(p, slots);
+  for (const uint32_t *at = image_ + first_, *last = image_ + last_; at != last;) {
+    const uint32_t word = *at++;
+    step(machine, static_cast<Operation>(word & 0xffu), at);
+    at += word >> 8;
+  }
+  return machine.top;
+}
+
+// A loop of its own: sharing it with evaluate() would change the code of that.
+template <class S, class Operations>
+Highest<S> Program<S, Operations>::highest(const Vector3<S>& p, S radius, const Pose<S>* slots) const {
+  Machine<Highest<S>> machine(p, slots);
+  machine.ball = {radius, domain_reach<S>().radius};
+  for (const uint32_t *at = image_ + first_, *last = image_ + last_; at != last;) {
+    const uint32_t word = *at++;
+    step(machine, static_cast<Operation>(word & 0xffu), at);
+    at += word >> 8;
+  }
+  return machine.top;
+}
+
 // Checks an image in place, without copying it; see inspect_image() for the cost. `byte_count` may exceed the image.
-template <class S> Program<S> load(const void* image, size_t byte_count) {
+// Operations: OnlyOperations<...> leaves the code of all others out; images that have one are refused.
+template <class S, class Operations = AllOperations> Program<S, Operations> load(const void* image, size_t byte_count) {
   if (reinterpret_cast<uintptr_t>(image) % alignof(uint32_t) != 0) return {};
   const uint32_t* words = static_cast<const uint32_t*>(image);
   const size_t count = byte_count / 4 < kImageWordLimit ? byte_count / 4 : kImageWordLimit;
-  return {words, inspect_image<S>(words, static_cast<uint32_t>(count))};
+  return {words, inspect_image<S, Operations>(words, static_cast<uint32_t>(count))};
 }
+
+// Evaluating and checking programs of all operations is much code. Large builds compile it in one place and declare it
+// everywhere else: each scalar once by NEARFIELD_PROGRAMS(, Scalar) in one source, NEARFIELD_PROGRAMS(extern, Scalar) before
+// the first use in all others.
+#define NEARFIELD_PROGRAMS(extern_or_nothing, S)                                                                        \
+  extern_or_nothing template Value<S> Program<S>::evaluate<Value<S>>(const Vector3<S>&, const Pose<S>*) const;          \
+  extern_or_nothing template Sample<S> Program<S>::evaluate<Sample<S>>(const Vector3<S>&, const Pose<S>*) const;        \
+  extern_or_nothing template Highest<S> Program<S>::highest(const Vector3<S>&, S, const Pose<S>*) const;                \
+  extern_or_nothing template Inspection<S> detail::inspect_operations_at_run_time<S, AllOperations>(const uint32_t*,    \
+                                                                                                    uint32_t, uint32_t);
+#ifdef NEARFIELD_PROGRAMS_COMPILED_ONCE
+NEARFIELD_PROGRAMS(extern, Fixed<27>)
+NEARFIELD_PROGRAMS(extern, Fixed<24>)
+NEARFIELD_PROGRAMS(extern, Fixed<16>)
+NEARFIELD_PROGRAMS(extern, float)
+#endif
 
 }  // namespace nearfield

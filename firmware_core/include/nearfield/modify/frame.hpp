@@ -73,18 +73,28 @@ template <class S> constexpr bool valid_pose(const Pose<S>& pose) {
 // constant rotation (1/2 unit of 2^-30 each) 3. A pose handed in at run time may be as far from a rotation as
 // valid_pose() lets pass: 128 more.
 enum class PoseOrigin : uint8_t { constant, run_time };
+// How far from its place in the inner frame a point may be computed.
+template <class S> constexpr S moved_by_rounding(Reach<S> inner, PoseOrigin origin) {
+  return ScalarTraits<S>::times(ScalarTraits<S>::rounding_unit(inner.radius), origin == PoseOrigin::constant ? 5 : 133);
+}
 template <class S>
-constexpr Certificate<S> placed_certificate(const Certificate<S>& child, Reach<S> inner, PoseOrigin origin) {
+constexpr Certificate<S> placed_certificate(const Certificate<S>& child, Kind kind, Reach<S> inner, PoseOrigin origin) {
+  using T = ScalarTraits<S>;
   Certificate<S> placed = child;
-  const int units = origin == PoseOrigin::constant ? 5 : 133;
-  const S moved = ScalarTraits<S>::times(ScalarTraits<S>::rounding_unit(inner.radius), units);
-  placed.error = child.error + ScalarTraits<S>::multiply_up(moved, child.lipschitz);
+  const S moved = moved_by_rounding(inner, origin);
+  const S lengths = kind == Kind::distance ? moved : T::times(moved, 1 << -kGradientLengthLog2);
+  placed.error = child.lipschitz == kNoRateBound ? T::greatest() : child.error + T::multiply_up(lengths, child.lipschitz);
   return placed;
 }
 // The reach inside a pose of this translation.
 template <class S> constexpr Reach<S> inner_reach(Reach<S> outer, const Vector3<S>& translation) {
   return {outer.radius + length_of<S>(sum_of_squares(translation.x, translation.y, translation.z)) +
           ScalarTraits<S>::rounding_unit(outer.radius)};
+}
+// A ball that holds, inside a pose of this translation, what `outer` holds outside.
+template <class S> constexpr Ball<S> inner_ball(const Ball<S>& outer, const Vector3<S>& translation, PoseOrigin origin) {
+  const Reach<S> inner = inner_reach(Reach<S>{outer.reach}, translation);
+  return {outer.radius + moved_by_rounding(inner, origin), inner.radius};
 }
 
 }  // namespace nearfield

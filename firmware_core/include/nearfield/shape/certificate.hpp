@@ -8,11 +8,17 @@ namespace nearfield {
 // Valid for points within the domain. All bounds are rounded upwards.
 template <class S> struct Certificate {
   bool valid = false;    // parameters in range, and no intermediate result can leave the number range in the domain
-  Rate lipschitz;        // |f(p) - f(q)| <= lipschitz |p - q|, f the field in exact arithmetic
+  Rate lipschitz;        // |f(p) - f(q)| <= lipschitz |p - q|, f the field in exact arithmetic; of all kinds but
+                         // distances per 1/16 m, as their gradients; kNoRateBound: not bounded
   S erosion{};           // m: how far the blended solid may lie inside the sharp solids it is made of
   S inflation{};         // m: how far outside
   S error{};             // greatest |evaluated - f(p)|: parameter rounding, table errors and all roundings of evaluation
+  S magnitude{};         // bound of |value| within the reach; 0: not known, but for algebraic fields, of which the greatest
+                         // number says that they may saturate; of distances before what inflation and erosion add
 };
+
+// As a lipschitz constant: none is known that fits a Rate. The error is then the greatest number as a rule.
+inline constexpr Rate kNoRateBound = Rate::greatest();
 
 inline constexpr Rate kUnitRate = Rate::from_raw(1 << Rate::fraction_bits);
 
@@ -36,6 +42,7 @@ constexpr Certificate<S> exact_distance(Reach<S> reach, S extent, bool parameter
   certificate.valid = parameters_valid && extent >= S{} && farthest < ScalarTraits<S>::greatest();
   certificate.lipschitz = kUnitRate;
   certificate.error = ScalarTraits<S>::times(ScalarTraits<S>::rounding_unit(farthest), units);
+  certificate.magnitude = farthest;
   return certificate;
 }
 

@@ -29,6 +29,21 @@ template <class S> struct Sample {
   Vector3<S> gradient{};
 };
 
+// A ball about the point of an evaluation, in the coordinates of its frame, metres. `reach`: how far from the frame's
+// origin its centre may be.
+template <class S> struct Ball {
+  S radius{};
+  S reach{};
+};
+
+// The greatest value that an intensity has anywhere in a ball; of other kinds, the value at its centre. Operations that
+// raise intensities have `highest` for it (operands.hpp); the others treat it as a Value.
+template <class S> struct Highest {
+  using Scalar = S;
+  static constexpr bool has_gradient = false;
+  S value{};
+};
+
 // Distance and direction from the offset between a point and the nearest point of a skeleton, less a radius.
 // Rounding: down, (-1, 0] units in the last place for Fixed. A zero offset has no direction: gradient 0.
 template <class Out, class S> constexpr Out from_offset(const Vector3<S>& offset, S radius) {

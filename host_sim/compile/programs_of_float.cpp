@@ -1,0 +1,9 @@
+// Programs of float, compiled once for the host's library and the tests.
+#undef NEARFIELD_PROGRAMS_COMPILED_ONCE
+#include <nearfield/field/program.hpp>
+
+namespace nearfield {
+
+NEARFIELD_PROGRAMS(, float)
+
+}  // namespace nearfield
