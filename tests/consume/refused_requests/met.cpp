@@ -15,3 +15,13 @@ static_assert(tabulate<Fixed<27>, parametric, Within<12>>().error > 0, "");
 static_assert(tabulate<Fixed<27>, range, Within<12>>().error > 0, "");
 static_assert(tabulate<Fixed<27>, arctangent>().error > 0, "");
 static_assert(tabulate<Fixed<27>, own, Exactly<3, 4>>().error > 0, "");
+
+using Q = Fixed<27>;
+constexpr auto kernel = bake<Q>(exterior(step::polynomial<3>, 0.25));
+constexpr auto potential_of_radius = bake<Q, 2>(over_square(potential::wyvill));
+const Sphere<Q> ball{{}, Q(0.5)};
+const SoftPoint<Q> soft_ball{{}, Influence<Q>(Q(0.5), Q(1.0))};
+const AlgebraicPlane<Q> plane{{Q(1.0), {}, {}}, {}};
+const auto distances = unite(kernel, Q(0.1), ball, ball);
+const auto intensities = soft_sum(with_potential(soft_ball, potential_of_radius), with_potential(soft_ball, potential_of_radius));
+const auto boxed = unite(in_box({Q(1.0), Q(1.0), Q(1.0)}, plane), ball);
