@@ -105,7 +105,7 @@ template <SetOperation set_operation>
 struct ScaleOperator {
   static OperatorDescription description() {
     const bool is_union = set_operation == SetOperation::unite;
-    const NumberRange range{0.02, is_union ? 16.0 : 1.0, {}};
+    const NumberRange range{0.02, is_union ? 4.0 : 1.0, {}};
     return blend(is_union ? "scale_union" : "scale_intersection", FieldKind::ray,
                  {{"r1", 1, range}, {"r2", 1, range}, {"p", 1, {-1e5, 256.0, {}}, {0.0}}});
   }

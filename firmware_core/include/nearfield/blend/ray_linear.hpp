@@ -136,13 +136,16 @@ template <class S, SetOperation operation> struct RayLinear : RayLinearPayload<S
     if (!both.valid) return both;
     const Rate spread = spread_of(facts);
     both.lipschitz = ScalarTraits<Rate>::multiply_up(both.lipschitz, spread);
-    both.valid = both.lipschitz < Rate::greatest();
+    both.valid = both.lipschitz < kSteepest;
     both.error = T::multiply_up(both.error, spread) + greatest_ray_times(table_error(facts)) +
                  T::times(T::rounding_unit(greatest_ray<S>()), 2);
     return both;
   }
 
  private:
+  // Beyond this rate, per 1/16 m, gradients could leave the number range.
+  static constexpr Rate kSteepest =
+      Rate::from_raw((ScalarTraits<S>::is_fixed && fraction_bits_of<S> >= 25 ? 15 : 127) << Rate::fraction_bits);
   static constexpr bool is_union = operation == SetOperation::unite;
   static constexpr int64_t kUnit = int64_t{1} << Rate::fraction_bits;
 

@@ -122,7 +122,7 @@ struct ScaleBlend {
   }
 
  private:
-  static constexpr double least_roundness = 0.00999999, greatest_roundness = 2001.0;  // of Q / (r1 r2)
+  static constexpr double least_roundness = 0.00999999, greatest_roundness = 2001.00001;  // of Q / (r1 r2)
 
   // 1 / t at the edge where the other operand is r beyond or below the deciding one.
   constexpr double reciprocal_range(double r) const { return intersects ? 1.0 / r : (1.0 + r) / r; }
