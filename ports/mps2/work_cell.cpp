@@ -11,7 +11,8 @@ namespace {
 
 using namespace nearfield;
 
-using Player = work_cell::Player<work_cell::kArmLinks, work_cell::kArmBodies, work_cell::kPersonLinks, work_cell::kPersonBodies>;
+using Player = work_cell::Player<work_cell::kArmLinks, work_cell::kArmBodies, work_cell::kPersonLinks, work_cell::kPersonBodies,
+                                 work_cell::Operations>;
 
 alignas(Player) unsigned char player_memory[sizeof(Player)];
 
@@ -47,7 +48,7 @@ Vector3<work_cell::Q> point_of(uint32_t tick) {
   return {coordinate(2654435761u), coordinate(2246822519u), coordinate(3266489917u)};
 }
 
-__attribute__((noinline)) Clearance<work_cell::Q> query(const Program<work_cell::Q>& cell, const Vector3<work_cell::Q>& p) {
+__attribute__((noinline)) Clearance<work_cell::Q> query(const Player::Field& cell, const Vector3<work_cell::Q>& p) {
   return clearance(cell, p);
 }
 
