@@ -34,7 +34,7 @@ int nearfield_load(nearfield_field* field, const void* image, size_t byte_count)
 uint32_t nearfield_budget(const nearfield_field* field) {
   const FieldProgram program = program_of(field);
   // Copies of the field and of the poses come on top.
-  constexpr uint32_t copies = 400, copy_of_a_pose = 60;
+  constexpr uint32_t copies = 430, copy_of_a_pose = 60;
   return program.valid() ? program.budget().gradient + copies + program.slot_count() * copy_of_a_pose : 0;
 }
 

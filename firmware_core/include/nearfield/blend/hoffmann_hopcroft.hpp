@@ -81,16 +81,25 @@ template <class S> struct HoffmannHopcroftConic {
            first_slope == again.first_slope && second_slope == again.second_slope && sum < limit && depth < limit &&
            first_slope < limit && second_slope < limit;
   }
+  // An exact product in units of the last place, rounded up.
+  static constexpr int64_t up(int64_t exact) {
+    constexpr int F = fraction_bits_of<S>;
+    return (exact + ((int64_t{1} << F) - 1)) >> F;
+  }
   // Of the blend itself, parameters included. With m = max(1, 1/q), in units: ranges (s1 + s2) m / 2 and 1/2, conic
   // depth / 2q, depth 1/2, value 1/2; shares and their products 2^-27 of (r1 + r2) m and of depth.
   constexpr S own_error() const {
     const S m = greatest_of_two(sharpness, ScalarTraits<S>::one());
-    const S whole = sum_up(product_up(sum, m), depth);
-    const S slopes = product_up(sum_up(first_slope, second_slope), m);
     if constexpr (ScalarTraits<S>::is_fixed) {
-      constexpr int spare = 27 - S::fraction_bits;
-      return units_up<S>(metres_up(slopes) + metres_up(product_up(depth, sharpness)) + 3 + (metres_up(whole) >> spare));
+      // Numbers of units, which have more room than S.
+      constexpr int F = S::fraction_bits, spare = 27 - F;
+      const int64_t both_slopes = int64_t{first_slope.raw()} + second_slope.raw();
+      const int64_t slopes = up(both_slopes * m.raw()) >> F, conics = up(int64_t{depth.raw()} * sharpness.raw()) >> F;
+      const int64_t whole = (up(int64_t{sum.raw()} * m.raw()) + depth.raw()) >> F;
+      return units_up<S>(slopes + conics + 5 + ((whole + 1) >> spare));
     } else {
+      const S whole = sum_up(product_up(sum, m), depth);
+      const S slopes = product_up(sum_up(first_slope, second_slope), m);
       return roundings(sum_up(whole, product_up(slopes, sum)), 4);
     }
   }

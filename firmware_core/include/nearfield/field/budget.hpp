@@ -35,10 +35,13 @@ template <class T> constexpr Budget cortex_m4_cost(const T& operation) {
   else return cost;
 }
 
+// What a greatest value in a ball, highest(), costs of operations whose values cost this.
+constexpr uint32_t cortex_m4_highest_cost(uint32_t value) { return value + value / 2 + value / 4; }
+
 // What a query costs beyond the operations: checks, certificate, result.
-inline constexpr Budget kCortexM4QueryCost = {80, 232};
+inline constexpr Budget kCortexM4QueryCost = {28, 181};
 
 // What a query with gradient adds for checking each pose that it is handed.
-inline constexpr uint32_t kCortexM4PoseCheckCost = 370;
+inline constexpr uint32_t kCortexM4PoseCheckCost = 380;
 
 }  // namespace nearfield

@@ -176,7 +176,7 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
 
   constexpr uint32_t poses_budget() const {
     uint32_t sum = 60;
-    for (int i = 0; i + 1 < links_; ++i) sum += joints_[i].kind == JointKind::revolute ? 850 : 520;
+    for (int i = 0; i + 1 < links_; ++i) sum += joints_[i].kind == JointKind::revolute ? 850 : 440;
     return sum;
   }
 

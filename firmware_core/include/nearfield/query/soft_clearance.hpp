@@ -32,13 +32,20 @@ constexpr bool may_be_asked_softly(const AnyField& field, const Vector3<S>& p, c
 
 }  // namespace detail
 
+// Worst-case instructions on Cortex-M4 of a query below; ports/mps2/operation_costs.cpp measures them.
+template <class AnyField> constexpr uint32_t soft_clearance_budget(const AnyField& field) {
+  constexpr uint32_t step = 60, direction = 150;
+  return field.budget().gradient + direction +
+         kSoftClearanceSteps * (cortex_m4_highest_cost(field.budget().value) + step);
+}
+
 // A ball around p (metres, field frame, within ScalarTraits<S>::domain()) in which an intensity, a Field or a Program, is
 // nowhere 1/2 or more: the greatest that highest() proves, to 2^-11 of its radius (and a unit in the last place).
 // Exact but for that for a lone object. Status: clear, distance > 0; touching, for certain; undecided: nearer to the
 // surface than can be told; invalid (distance the least number): the field is not a valid intensity, has operations or
 // operands that tell nothing of a ball, an error that is not below 1/2; or point or poses are not acceptable. `direction`:
 // minus the intensity's gradient, a unit vector; zero where there is none.
-// Cost: field.budget().gradient and kSoftClearanceSteps times that of the value and a root for every soft shape.
+// Cost: at most soft_clearance_budget().
 template <class AnyField, class S = typename AnyField::Scalar>
 constexpr Clearance<S> soft_clearance(const AnyField& field, const Vector3<typename AnyField::Scalar>& p,
                                       const Pose<typename AnyField::Scalar>* slots = nullptr, uint32_t slot_count = 0) {

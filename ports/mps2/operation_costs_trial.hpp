@@ -1,0 +1,246 @@
+// Worst instruction counts of the operations of a program, dispatch included.
+#pragma once
+
+#include <nearfield/field/builder.hpp>
+#include <nearfield/field/program.hpp>
+
+#include <board/cost_rows.hpp>
+#include <board/instruction_counter.hpp>
+#include <board/semihosting.hpp>
+
+namespace nearfield::costs {
+
+using Q = Fixed<27>;
+using Builder = ImageBuilder<Q, 1024>;
+
+// Of a program without operands; fewer if they are measured as well.
+inline constexpr int kPoints = 8000;
+
+// A point, and the radius of a ball about it.
+struct Place {
+  Vector3<Q> point;
+  Q radius{};
+};
+
+// Fixed seed: every run measures the same.
+struct Random {
+  uint64_t state = 88172645463325252u;
+  uint32_t next() {
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return static_cast<uint32_t>(state >> 16);
+  }
+  // Within +-2^-scale of the domain.
+  Q coordinate(int scale) { return Q::from_raw(static_cast<int32_t>(next()) / 4 >> scale); }
+  Q power_of_two() {
+    const int32_t size = 1 << (13 + next() % 17);
+    return Q::from_raw(next() % 2 == 0 ? size : -size);
+  }
+  // Finer scales, planes, axes and powers of two included, so that insides, faces and edges are met.
+  Vector3<Q> point() {
+    const int scale = static_cast<int>(next() % 9);
+    Vector3<Q> p = {coordinate(scale), coordinate(scale), coordinate(scale)};
+    Q* const coordinates[] = {&p.x, &p.y, &p.z};
+    for (Q* each : coordinates) {
+      const uint32_t choice = next() % 16;
+      if (choice < 2)
+        *each = Q{};
+      else if (choice == 2)
+        *each = power_of_two();
+    }
+    if (next() % 32 == 0) p = {power_of_two(), power_of_two(), power_of_two()};
+    return p;
+  }
+  Place place() {
+    const Vector3<Q> p = point();
+    return {p, absolute(coordinate(static_cast<int>(next() % 9)))};
+  }
+};
+
+// The identity, so that operands are evaluated where they are without a frame.
+inline const Pose<Q> kPose;
+inline volatile int32_t sink;
+
+template <class Out>
+__attribute__((noinline)) Out value_of(const Program<Q>& program, const Place& at, const Pose<Q>* slots) {
+  if constexpr (__is_same(Out, Highest<Q>))
+    return program.highest(at.point, at.radius, slots);
+  else
+    return program.evaluate<Out>(at.point, slots);
+}
+template <class Out>
+uint32_t instructions_at(const Program<Q>& program, const Place& at) {
+  board::start_instruction_count();
+  const Out value = value_of<Out>(program, at, &kPose);
+  const uint32_t count = board::stop_instruction_count();
+  sink = value.value.raw();
+  return count;
+}
+
+inline Program<Q> loaded(Builder& builder, const char* what) {
+  const Inspection<Q> inspection = builder.finish();
+  if (inspection.status != LoadStatus::ok) {
+    board::write("a program does not load: ");
+    board::write(what);
+    board::write(", status ");
+    board::write_decimal(static_cast<uint64_t>(inspection.status));
+    board::write("\n");
+    board::exit_with_status(1);
+  }
+  return load<Q>(builder.words(), builder.size() * 4);
+}
+
+// Of what programs evaluate: a value, a value with its gradient, the greatest value in a ball.
+struct Cost {
+  uint32_t value = 0, gradient = 0, highest = 0;
+};
+constexpr Cost greatest_of_both(const Cost& a, const Cost& b) {
+  return {greatest_of_two(a.value, b.value), greatest_of_two(a.gradient, b.gradient),
+          greatest_of_two(a.highest, b.highest)};
+}
+
+// Of evaluate() itself: what a program without operations takes. None is valid, but it can be run.
+inline Cost evaluation_cost() {
+  return {instructions_at<Value<Q>>({}, {}), instructions_at<Sample<Q>>({}, {}),
+          instructions_at<Highest<Q>>({}, {})};
+}
+
+// The greatest costs measured so far, by the operation's code; of each operand where their number is any.
+inline Cost measured_costs[256];
+
+constexpr const char* name_of(Operation operation) {
+  switch (operation) {
+#define NEARFIELD_NAME(code, name, type, value, gradient) \
+  case Operation::name:                                   \
+    return #name;
+    NEARFIELD_OPERATIONS(NEARFIELD_NAME)
+#undef NEARFIELD_NAME
+    default:
+      return "frame";
+  }
+}
+
+// Operands, and one operation on all of them (a shape: on none): what a program costs beyond its operands by
+// themselves at the same point. Takes memory from the one trial before: there is one at a time.
+class Trial {
+ public:
+  Trial() { whole_ = Builder(); }
+  // Of operations that sample this table.
+  template <class Table>
+  explicit Trial(const Table& table) : Trial() {
+    table_ = whole_.table(table);
+  }
+
+  template <class T>
+  Trial& operand(const T& shape) {
+    if (operand_count_ == 0) tables_alone() = whole_;
+    Builder& lone = operands_[operand_count_++];
+    lone = tables_alone();
+    append(lone, shape);
+    return append(whole_, shape);
+  }
+  // As the last one of the program.
+  template <class T>
+  void measure(const T& operation) {
+    append(whole_, operation);
+    const Operation code = OperationOf<T>::value;
+    Cost cost = worst(name_of(code));
+    if constexpr (detail::operand_count_of<T> == kAnyNumber) {
+      const uint32_t count = static_cast<uint32_t>(operand_count_);
+      cost = {(cost.value + count - 1) / count, (cost.gradient + count - 1) / count,
+              (cost.highest + count - 1) / count};
+    }
+    Cost& known = measured_costs[static_cast<uint32_t>(code)];
+    known = greatest_of_both(known, cost);
+  }
+  // The whole program, for frames.
+  Builder& whole() { return whole_; }
+
+  Cost worst(const char* what) {
+    const Program<Q> whole = loaded(whole_, what);
+    Program<Q> operands[kStackDepth];
+    for (int i = 0; i < operand_count_; ++i) operands[i] = loaded(operands_[i], what);
+    const Cost evaluation = evaluation_cost();
+    Cost worst;
+    Random random;
+    for (int i = 0; i < kPoints / (operand_count_ + 1); ++i) {
+      const Place at = random.place();
+      worst = greatest_of_both(worst, {beyond_operands<Value<Q>>(whole, operands, at, evaluation.value),
+                                       beyond_operands<Sample<Q>>(whole, operands, at, evaluation.gradient),
+                                       beyond_operands<Highest<Q>>(whole, operands, at, evaluation.highest)});
+    }
+    return worst;
+  }
+
+ private:
+  template <class T>
+  Trial& append(Builder& builder, const T& operation) {
+    if constexpr (detail::uses_table<T>)
+      builder.operation(operation, table_);
+    else
+      builder.operation(operation);
+    return *this;
+  }
+  template <class Out>
+  uint32_t beyond_operands(const Program<Q>& whole, const Program<Q>* operands, const Place& at,
+                           uint32_t evaluation) const {
+    uint32_t count = instructions_at<Out>(whole, at) - evaluation;
+    for (int i = 0; i < operand_count_; ++i) count -= instructions_at<Out>(operands[i], at) - evaluation;
+    return count;
+  }
+
+  static Builder& tables_alone() {
+    static Builder builder;
+    return builder;
+  }
+  inline static Builder whole_, operands_[kStackDepth];
+  uint32_t table_ = 0;
+  int operand_count_ = 0;
+};
+
+// Counts that exceed what is stated, and operations that were not measured.
+inline int failures = 0;
+
+inline void write_heading() {
+  board::write_padded("", 40);
+  board::write("  value stated  gradient stated  highest stated\n");
+}
+// 0: there is no such count.
+inline void write_pair(uint32_t measured, uint32_t stated, size_t width) {
+  const auto write = [](uint32_t count, size_t columns) {
+    if (count != 0) return board::write_right_aligned(count, columns);
+    for (size_t i = 1; i < columns; ++i) board::write(" ");
+    board::write("-");
+  };
+  write(measured, width);
+  write(stated, 7);
+  failures += measured > stated ? 1 : 0;
+}
+inline void report(const char* name, const Cost& measured, const Cost& stated) {
+  const int failures_before = failures;
+  board::write_padded(name, 40);
+  write_pair(measured.value, stated.value, 7);
+  write_pair(measured.gradient, stated.gradient, 10);
+  write_pair(measured.highest, stated.highest, 9);
+  board::write(failures == failures_before ? "\n" : "  EXCEEDED\n");
+}
+inline Cost stated_cost(Budget stated) {
+  return {stated.value, stated.gradient, cortex_m4_highest_cost(stated.value)};
+}
+
+// Every operation of the list; fails for those that were not measured.
+inline void report_operations() {
+  const auto report_one = [](Operation operation, const char* name) {
+    const Cost& measured = measured_costs[static_cast<uint32_t>(operation)];
+    report(name, measured, stated_cost(cortex_m4_cost(operation)));
+    if (measured.value != 0) return;
+    board::write("  not measured\n");
+    ++failures;
+  };
+#define NEARFIELD_REPORT(code, name, type, value, gradient) report_one(Operation::name, #name);
+  NEARFIELD_OPERATIONS(NEARFIELD_REPORT)
+#undef NEARFIELD_REPORT
+}
+
+}  // namespace nearfield::costs
