@@ -206,17 +206,17 @@ TEST(AdditiveBlends, EqualThePapersFormulasInFloat) {
 
 /// Partial derivative by the first operand, in the reference's place, of an intersection with y = 0.
 template <int segments>
-Real slope_at(const Row& row, const Table<Fixed<27>, segments>& table, double x) {
-  return blended<Fixed<27>, SetOperation::intersect>(row.sides, Fixed<27>(1.0), table, Fixed<27>(x), Fixed<27>()).by_x;
+Real slope_at(const Row& row, const Table<Fixed<27>, segments>& table, Real x) {
+  return blended<Fixed<27>, SetOperation::intersect>(row.sides, Fixed<27>(1.0), table, property::rounded<Fixed<27>>(x), Fixed<27>()).by_x;
 }
 
 TEST(AdditiveBlends, ValuesAndSlopesAreContinuousAcrossEveryEdge) {
   for (const Row& row : all_rows()) {
     const Table<Fixed<27>, 64> table = bake<Fixed<27>, 64>(row.kernel);
-    const double unit = std::ldexp(1.0, -27);
-    for (const double edge : {-1.0, 0.0, 1.0}) {
-      const auto value_at = [&](double x) {
-        return blended<Fixed<27>, SetOperation::intersect>(row.sides, Fixed<27>(1.0), table, Fixed<27>(x), Fixed<27>()).value;
+    const Real unit = std::ldexp(Real{1}, -27);
+    for (const Real edge : {-1, 0, 1}) {
+      const auto value_at = [&](Real x) {
+        return blended<Fixed<27>, SetOperation::intersect>(row.sides, Fixed<27>(1.0), table, property::rounded<Fixed<27>>(x), Fixed<27>()).value;
       };
       EXPECT_LE(std::fabs(value_at(edge + unit) - value_at(edge - unit)), 5 * unit) << row.name << " at " << edge;
       if (row.continuous_derivatives < 1) continue;
@@ -231,13 +231,13 @@ TEST(AdditiveBlends, ValuesAndSlopesAreContinuousAcrossEveryEdge) {
 // With a step of 1/256 the second difference of the slope is d times the jump of the second derivative, and d^2 times the
 // third derivative where there is none.
 TEST(AdditiveBlends, SecondDerivativesAreContinuousFromH3On) {
-  constexpr double d = 1.0 / 256;
+  constexpr Real d = 1 / Real{256};
   for (const Row& row : all_rows()) {
     const Table<Fixed<27>, 256> table = bake<Fixed<27>, 256>(row.kernel);
-    for (const double edge : {-1.0, 0.0, 1.0}) {
-      const auto jump = [&](double step) {
+    for (const Real edge : {-1, 0, 1}) {
+      const auto jump = [&](Real step) {
         return std::fabs(slope_at(row, table, edge + step) - 2 * slope_at(row, table, edge) + slope_at(row, table, edge - step)) /
-               static_cast<Real>(step);
+               step;
       };
       const Real ratio = jump(d) / std::max(jump(2 * d), Real{1e-6L});
       if (row.continuous_derivatives >= 2) {
@@ -245,7 +245,7 @@ TEST(AdditiveBlends, SecondDerivativesAreContinuousFromH3On) {
       }
     }
   }
-  const auto jump_of = [](const char* name, double edge) {
+  const auto jump_of = [](const char* name, Real edge) {
     for (const Row& row : all_rows()) {
       if (row.name != name) continue;
       const Table<Fixed<27>, 256> table = bake<Fixed<27>, 256>(row.kernel);
@@ -254,8 +254,8 @@ TEST(AdditiveBlends, SecondDerivativesAreContinuousFromH3On) {
     return Real{-1};
   };
   // The measure sees a jump where there is one.
-  EXPECT_GT(jump_of("quadratic", 1.0), 0.4L);
-  EXPECT_GT(jump_of("interior H_2", 1.0), 0.9L);
+  EXPECT_GT(jump_of("quadratic", 1), 0.4L);
+  EXPECT_GT(jump_of("interior H_2", 1), 0.9L);
 }
 
 TEST(AdditiveBlends, TakeTheTieValuesOfThePapers) {
