@@ -1,5 +1,7 @@
 /// Clearances of algebraic fields in declared boxes.
 
+#include <nearfield/curve/kernel.hpp>
+#include <nearfield/curve/potential.hpp>
 #include <nearfield/field/builder.hpp>
 #include <nearfield/field/compose.hpp>
 #include <nearfield/field/program.hpp>
@@ -158,6 +160,54 @@ TEST(DeclaredBox, RefusesWhatDoesNotFitTogether) {
   other.inverse = other.inverse + S::unit_in_last_place();
   EXPECT_EQ(status([&](auto& b) { b.enter_box(half).operation(quadric).leave_box(other); }),
             LoadStatus::parameter_out_of_range);
+}
+
+// Blended with it, the 0 outside the box would count as a surface.
+TEST(DeclaredBox, IsNoOperandOfSmoothBlends) {
+  using S = Fixed<27>;
+  static constexpr auto kernel = bake<S, 32>(exterior(step::polynomial<3>, 0.25));
+  static constexpr auto potential = bake<S, 8>(potential::Cubic{});
+  const auto boxed = in_box({S(1.0), S(1.0), S(1.0)}, ball<S>({}, 0.3L));
+  const Sphere<S> sphere{{}, S(0.5)};
+  EXPECT_TRUE(field(unite(boxed, sphere)).valid());
+  EXPECT_TRUE(field(subtract(sphere, place(Pose<S>{}, boxed))).valid());
+  EXPECT_FALSE(field(unite(kernel, S(0.1), boxed, sphere)).valid());
+  EXPECT_FALSE(field(unite(kernel, S(0.1), sphere, unite(sphere, place(Pose<S>{}, boxed)))).valid());
+  EXPECT_FALSE(field(combine(LogSumExpUnion<S>{ArgumentScale<S>::of(S(0.5)), 2}, boxed, sphere)).valid());
+  const Certificate<S> of = field(boxed).certificate();
+  EXPECT_FALSE(field(combine(PotentialOfDistance<S>(S(0.5), S(1.0), of), potential, boxed)).valid());
+  EXPECT_FALSE(field(combine(AlgebraicOfDistance<S>{S(1.0)}, boxed)).valid());
+}
+
+// Tables of one kernel for both signs and of two halves are different things.
+TEST(AdditiveTables, AreOfTheFormThatTheOperationSamples) {
+  using S = Fixed<27>;
+  static constexpr auto alike = bake<S, 64>(exterior(step::polynomial<3>, 0.25));
+  static constexpr auto halves = bake<S, 64>(two_sided(exterior(step::polynomial<3>, 0.25)));
+  static constexpr auto unlike_halves = bake<S, 64>(two_sided(interior(step::RisingCutoff{2})));
+  const Sphere<S> sphere{{}, S(0.5)};
+  const ArgumentScale<S> scale = ArgumentScale<S>::of(S(0.5));
+  EXPECT_TRUE(field(combine(AdditiveUnion<S>{scale}, alike, sphere, sphere)).valid());
+  EXPECT_TRUE(field(combine(TwoSidedUnion<S>{scale}, halves, sphere, sphere)).valid());
+  EXPECT_TRUE(field(combine(TwoSidedUnion<S>{scale}, unlike_halves, sphere, sphere)).valid());
+  EXPECT_FALSE(field(combine(AdditiveUnion<S>{scale}, halves, sphere, sphere)).valid());
+  EXPECT_FALSE(field(combine(AdditiveUnion<S>{scale}, unlike_halves, sphere, sphere)).valid());
+  EXPECT_FALSE(field(combine(TwoSidedUnion<S>{scale}, alike, sphere, sphere)).valid());
+  ImageBuilder<S, 2000> builder;
+  const uint32_t table = builder.table(halves);
+  builder.operation(sphere).operation(sphere).operation(AdditiveUnion<S>{scale}, table);
+  EXPECT_EQ(builder.finish().status, LoadStatus::bad_table);
+}
+
+TEST(OperationsOfAnyNumber, AreInvalidWithAnotherNumber) {
+  using S = Fixed<27>;
+  const AlgebraicPlane<S> plane{{S(1.0), {}, {}}, {}};
+  const Sphere<S> sphere{{}, S(0.5)};
+  RibbonPatch<S> patch;
+  patch.side_count = 8;
+  EXPECT_FALSE(field(combine(patch, plane, plane, plane, plane)).valid());
+  EXPECT_FALSE(field(combine(LogSumExpUnion<S>{ArgumentScale<S>::of(S(0.5)), 18}, sphere, sphere)).valid());
+  EXPECT_TRUE(field(combine(LogSumExpUnion<S>{ArgumentScale<S>::of(S(0.5)), 2}, sphere, sphere)).valid());
 }
 
 // A loader for a few operations refuses others, and gives the same bits for its own.

@@ -246,5 +246,28 @@ TYPED_TEST(SoftClearanceOf, RadiiAscend) {
   EXPECT_GT(real(before), 3.4L * real(ScalarTraits<S>::domain()));  // as far as two points may be apart
 }
 
+// Small rates and balls larger than the number range would hold, times 16.
+TEST(SoftClearance, OfPotentialsOfRaysIsNeverAboveTheDistanceFarAway) {
+  using S = Fixed<27>;
+  static constexpr auto potential = bake<S, 16>(potential::Cubic{});
+  for (const double radius : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {
+    const RayPoint<S> point{{}, RayRadius<S>(S(radius))};
+    const Certificate<S> of = point.certificate(domain_reach<S>());
+    const auto soft = field(combine(PotentialOfRay<S>(S(1.0), S(1.0), of), potential, point));
+    ASSERT_TRUE(soft.valid());
+    // The cubic potential is 1/2 at half its range.
+    for (double x = 0.51 * radius; x < 4.0; x += 0.037) {
+      const Clearance<S> answer = soft_clearance(soft, {S(x), {}, {}});
+      ASSERT_NE(answer.status, ClearanceStatus::touching);
+      ASSERT_LE(answer.distance.to_double(), x - 0.5 * radius) << "radius " << radius << " at " << x;
+      // Rays end at 15.
+      if (x > 0.6 * radius && x < 14 * radius) {
+        ASSERT_EQ(answer.status, ClearanceStatus::clear);
+        ASSERT_GE(answer.distance.to_double(), 0.9 * (x - 0.5 * radius)) << "radius " << radius << " at " << x;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nearfield

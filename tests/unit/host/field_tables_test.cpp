@@ -32,7 +32,7 @@ void expect_same_table(const TableFunction& at_run_time, const Function& functio
 template <class S>
 class FieldTables : public testing::Test {};
 using Scalars = testing::Types<Fixed<27>, Fixed<24>, Fixed<16>, float>;
-TYPED_TEST_SUITE(FieldTables, Scalars);
+TYPED_TEST_SUITE(FieldTables, Scalars, );
 
 TYPED_TEST(FieldTables, AreThoseOfTheCompiler) {
   using S = TypeParam;

@@ -7,6 +7,24 @@
 
 namespace nearfield {
 
+namespace detail {
+
+// The last argument before 1, or before 1/2.
+template <class Argument> constexpr Argument last_argument(bool of_half) {
+  if constexpr (static_cast<Argument>(0.5f) == Argument{}) return of_half ? 0x3fffffffu : 0x7fffffffu;
+  else return of_half ? 0.49999997f : 0.99999994f;
+}
+constexpr int64_t to_q30_units(int32_t value) { return value; }
+constexpr int64_t to_q30_units(float value) {
+  return value > -2.0f && value < 2.0f ? static_cast<int64_t>(value * 1073741824.0f) : int64_t{1} << 31;
+}
+// How far apart values may be where a table goes on: roundings of its coefficients and of the kernel.
+template <class S, int degree, int bits> constexpr int64_t joint_slack(const TableView<S, degree, bits>&) {
+  return !ScalarTraits<S>::is_fixed ? 4096 : bits == 32 ? 64 : 64 * 65536;
+}
+
+}  // namespace detail
+
 // Whether h is the same for both signs of x - y; if not (Li's blends with a step that is not antisymmetric), the table's
 // lower half is h of x >= y and its upper half h of x < y, x the first operand as B sees it.
 enum class Sides : uint8_t { alike, differ };
@@ -18,11 +36,34 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
   static constexpr Kind kind = Kind::distance;
   static constexpr int fixed_operand_count = 2;
   static constexpr bool samples_table = true;
+  static constexpr bool checks_table = true;
   ArgumentScale<S> scale;  // its limit is the range, metres
 
   template <class Out, class View> constexpr Out combine(const Out& a, const Out& b, const View& kernel) const {
     if constexpr (operation == SetOperation::subtract) return with_second(a, detail::negated(b), kernel);
     else return with_second(a, b, kernel);
+  }
+
+  // Whether the table's ends meet as this operation needs them: 0 at the range; and without a step in the middle, or, of a
+  // table of two halves, 0 there too and both halves alike at a tie.
+  template <class View> constexpr bool fits(const View& kernel) const {
+    using Argument = typename TableArgument<S>::type;
+    const auto value = [&kernel](Argument u) { return detail::to_q30_units(sample_raw<false>(kernel, u).value); };
+    const auto slope = [&kernel](Argument u) { return detail::to_q30_units(sample_raw<true>(kernel, u).slope) / 16; };
+    constexpr Argument last = detail::last_argument<Argument>(false), middle = detail::last_argument<Argument>(true);
+    constexpr Argument after_middle = half_argument(Argument{}, false);
+    const int64_t slack = detail::joint_slack(kernel);
+    const auto near = [slack](int64_t a, int64_t b) { return a - b <= slack && b - a <= slack; };
+    if (!near(value(last), 0)) return false;
+    if constexpr (sides == Sides::alike) {
+      if (kernel.index_bits == 0) return true;
+      constexpr int64_t steep = 1 << 20;  // 1/64, and more where the table has headroom
+      // Level at 0 and then at once steep: there a second half begins.
+      const bool begins_again = near(value(middle), 0) && slope(middle) < steep && slope(middle) > -steep && (slope(after_middle) > steep || slope(after_middle) < -steep);
+      return near(value(middle), value(after_middle)) && !begins_again;
+    } else {
+      return kernel.index_bits > 0 && near(value(middle), 0) && near(value(after_middle), value(Argument{}));
+    }
   }
 
   // With d = |1 + h'| + |h'| <= 1 + 2 b: error d max(e) + range * table error + 2 rounding units.

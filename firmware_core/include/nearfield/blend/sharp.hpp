@@ -59,6 +59,7 @@ template <class S, SetOperation operation, Kind field_kind = Kind::distance> str
   using Scalar = S;
   static constexpr Kind kind = field_kind;
   static constexpr int fixed_operand_count = 2;
+  static constexpr bool takes_partial = kind == Kind::distance;
   static constexpr bool has_highest = kind == Kind::intensity;
 
   template <class Out> constexpr Out combine(const Out& a, const Out& b) const {

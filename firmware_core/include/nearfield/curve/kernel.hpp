@@ -54,7 +54,8 @@ template <class Step> constexpr ExteriorKernel<Step> exterior(Step step, double 
   return {step, 1.0 / (1.0 + ratio), ratio / (1.0 + ratio), curve_facts(step).antisymmetric};
 }
 
-// Li's interior blend Int_max(epsilon) (Li, equation 24): h = -t (1 - mu(t / epsilon)), range epsilon.
+// Li's interior blend Int_max(epsilon) (Li, equation 24): h = -t mu(-t / epsilon) where x >= y, -t (1 - mu(t / epsilon)) where
+// x < y; the same for antisymmetric steps. Range epsilon.
 template <class Step> struct InteriorKernel {
   Step step;
   bool antisymmetric = true;

@@ -139,9 +139,8 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
     } else {
       Certificate<S> of[static_cast<size_t>(count)] = {};
       Operands::template certificates<S>(of, node.operands, reach);
-      Certificate<S> all = node.operation.certificate(of, node.facts, reach);
-      if constexpr (operand_count_of<T> == kAnyNumber) all.valid = all.valid && node.operation.operand_count() == count;
-      all.valid = all.valid && slopes_fit(node.table);
+      Certificate<S> all = certificate_of(node.operation, of, count, node.facts, reach);
+      all.valid = all.valid && slopes_fit(node.table) && table_fits(node.operation, node.table);
       return all;
     }
   }

@@ -179,6 +179,12 @@ template <class S, class Operations> class Inspector {
     if (!take_operands<T>(operation)) return;
     if constexpr (uses_table<T>) {
       if (!table_found<T>()) return;
+      const TableView<S> view = {image_ + table_ + image_format::table_header_words, static_cast<int>(image_[table_]),
+                                 static_cast<int>(image_[table_ + 1])};
+      if (!table_fits(operation, view)) {
+        fail(LoadStatus::bad_table);
+        return;
+      }
     }
     result_.budget = result_.budget + cortex_m4_cost(operation);
     result_.has_highest = result_.has_highest && passes_highest<T>;
@@ -187,7 +193,7 @@ template <class S, class Operations> class Inspector {
       else push(T::kind, operation.certificate(reach_[frames_]));
     } else {
       const TableFacts facts = uses_table<T> ? read_facts(image_ + table_) : TableFacts{};
-      push(T::kind, operation.certificate(certificates_ + stack_, facts, reach_[frames_]));
+      push(T::kind, certificate_of(operation, certificates_ + stack_, taken_, facts, reach_[frames_]));
     }
   }
   // Takes them off the stack, where their certificates stay until the next push.
@@ -201,6 +207,7 @@ template <class S, class Operations> class Inspector {
       return false;
     }
     stack_ -= count;
+    taken_ = count;
     return true;
   }
 
@@ -302,7 +309,7 @@ template <class S, class Operations> class Inspector {
   const uint32_t* image_;
   uint32_t at_, last_, tables_first_, tables_last_;
   uint32_t payload_ = 0, table_ = 0;
-  int stack_ = 0, frames_ = 0;
+  int stack_ = 0, frames_ = 0, taken_ = 0;
   Kind kinds_[kStackDepth] = {};
   Certificate<S> certificates_[kStackDepth] = {};
   Reach<S> reach_[kFrameDepth + 1] = {};

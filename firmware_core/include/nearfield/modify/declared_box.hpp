@@ -9,7 +9,8 @@ namespace nearfield {
 // Of the field g of its operand, within the box |x| <= half.x ... about the local origin: g / L, L the Lipschitz constant
 // that interval arithmetic finds over the box, but never farther from 0 than the box's surface is. Nowhere above the
 // distance to g's surface, which may go on outside. Outside the box the value is 0: undecided, and no direction.
-// Points are moved into the box before g is evaluated.
+// Points are moved into the box before g is evaluated. Sharp set operations and frames take the result, other operations do
+// not: blended with it, the 0 outside would count as a surface there.
 template <class S> struct DeclaredBox {
   using Scalar = S;
   static constexpr Kind kind = Kind::distance;
@@ -68,6 +69,7 @@ template <class S> struct DeclaredBox {
     Certificate<S> bounded;
     bounded.valid = of.valid && valid() && of.magnitude < algebraic_limit<S>() && of.lipschitz <= lipschitz;
     bounded.lipschitz = kUnitRate;
+    bounded.partial = true;
     bounded.error = detail::sum_up(detail::product_up(of.error, inverse),
                                    ScalarTraits<S>::times(ScalarTraits<S>::rounding_unit(around.radius), 2));
     bounded.magnitude = of.valid ? greatest_of_two(half.x, greatest_of_two(half.y, half.z)) : S{};

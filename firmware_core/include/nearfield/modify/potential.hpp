@@ -52,8 +52,9 @@ template <class S, Kind of> struct PotentialOf {
   constexpr Highest<S> highest(const Highest<S>& x, const Ball<S>& ball, const View& potential) const {
     using T = ScalarTraits<S>;
     if (lipschitz == kNoRateBound) return {weight > S{} ? weight : S{}};
-    const S lengths = of == Kind::distance ? ball.radius : T::times(ball.radius, 1 << -kGradientLengthLog2);
-    const S change = T::multiply_up(lengths, lipschitz) + error;
+    // The rate of rays is per 1/16 m. Saturating last: no operand is as large as that.
+    const S moved = T::multiply_up(ball.radius, lipschitz);
+    const S change = (of == Kind::distance ? moved : T::times(moved, 1 << -kGradientLengthLog2)) + error;
     return combine(Highest<S>{detail::towards_highest(x.value, change, weight)}, potential);
   }
 

@@ -13,6 +13,7 @@ template <class S> struct Certificate {
   S erosion{};           // m: how far the blended solid may lie inside the sharp solids it is made of
   S inflation{};         // m: how far outside
   S error{};             // greatest |evaluated - f(p)|: parameter rounding, table errors and all roundings of evaluation
+  bool partial = false;  // 0 wherever it is not known: no distance for a blend to go by (modify/declared_box.hpp)
   S magnitude{};         // bound of |value| within the reach; 0: not known, but for algebraic fields, of which the greatest
                          // number says that they may saturate; of distances before what inflation and erosion add
 };

@@ -9,6 +9,9 @@
 // Intensities with `has_highest` true also have
 //                 Highest<S> highest(point, ball [, table])         or  highest(a [, b], ball [, table]):
 // nowhere in the ball is the intensity greater than that and the certificate's error together.
+//
+// With `takes_partial` true it takes operands whose certificate is partial; with `checks_table` true, bool fits(table) says
+// whether a table is of the form that it samples.
 #pragma once
 
 #include <nearfield/shape/certificate.hpp>
@@ -30,6 +33,10 @@ template <class T, class = void> inline constexpr bool has_own_highest = false;
 template <class T> inline constexpr bool has_own_highest<T, decltype(void(T::has_highest))> = T::has_highest;
 // Whether greatest values in a ball pass through an operation.
 template <class T> inline constexpr bool passes_highest = T::kind != Kind::intensity || has_own_highest<T>;
+template <class T, class = void> inline constexpr bool takes_partial_of = false;
+template <class T> inline constexpr bool takes_partial_of<T, decltype(void(T::takes_partial))> = T::takes_partial;
+template <class T, class = void> inline constexpr bool checks_table_of = false;
+template <class T> inline constexpr bool checks_table_of<T, decltype(void(T::checks_table))> = T::checks_table;
 template <class T, class = void> inline constexpr bool uses_table = false;
 template <class T> inline constexpr bool uses_table<T, decltype(void(T::samples_table))> = T::samples_table;
 
@@ -48,5 +55,28 @@ template <class S> constexpr Certificate<S> worst_of(const Certificate<S>& a, co
   both.error = greatest_of_two(a.error, b.error);
   return both;
 }
+
+namespace detail {
+
+// The certificate of an operation with `count` operands.
+template <class T, class S>
+constexpr Certificate<S> certificate_of(const T& operation, const Certificate<S>* of, int count, const TableFacts& facts,
+                                        Reach<S> reach) {
+  if constexpr (operand_count_of<T> == kAnyNumber) {
+    if (operation.operand_count() != count) return {};
+  }
+  bool partial = false;
+  for (int i = 0; i < count; ++i) partial = partial || of[i].partial;
+  if (partial && !takes_partial_of<T>) return {};
+  Certificate<S> all = operation.certificate(of, facts, reach);
+  all.partial = partial;
+  return all;
+}
+template <class T, class View> constexpr bool table_fits(const T& operation, const View& table) {
+  if constexpr (checks_table_of<T>) return operation.fits(table);
+  else return true;
+}
+
+}  // namespace detail
 
 }  // namespace nearfield
