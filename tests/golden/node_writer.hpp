@@ -9,7 +9,7 @@ namespace nearfield::golden {
 
 // Add the tables that the field samples first, then write() the node once, then builder().finish().
 // What is written often is not inlined: that would take most of the time of compiling the tests.
-template <class S, uint32_t Capacity>
+template <class S, uint32_t Capacity, class Operations = AllOperations>
 class NodeWriter {
  public:
   template <int segments>
@@ -51,7 +51,7 @@ class NodeWriter {
     builder_.leave();
   }
 
-  constexpr ImageBuilder<S, Capacity>& builder() { return builder_; }
+  constexpr ImageBuilder<S, Capacity, Operations>& builder() { return builder_; }
 
  private:
   static constexpr int kTableLimit = 4;
@@ -64,7 +64,7 @@ class NodeWriter {
     return 0;
   }
 
-  ImageBuilder<S, Capacity> builder_;
+  ImageBuilder<S, Capacity, Operations> builder_;
   const uint32_t* coefficients_[kTableLimit] = {};
   uint32_t references_[kTableLimit] = {};
   int table_count_ = 0;

@@ -209,17 +209,26 @@ void add_facts(Digest& digest, const AnyField& field) {
   digest.add(ScalarTraits<S>::word(certificate.error));
 }
 
-// The same field as an image.
+// The operations of the fields, so that the smallest board has room for the programs of three scalars.
+using StreamOperations =
+    OnlyOperations<Operation::sphere, Operation::capsule, Operation::box, Operation::cylinder, Operation::soft_point,
+                   Operation::soft_segment, Operation::sharp_union, Operation::sharp_intersection,
+                   Operation::sharp_subtraction, Operation::soft_sum, Operation::additive_union,
+                   Operation::additive_intersection, Operation::additive_subtraction>;
 template <class S>
-using Writer = NodeWriter<S, 640>;
+using StreamProgram = Program<S, StreamOperations>;
+
+template <class S>
+using Writer = NodeWriter<S, 640, StreamOperations>;
+// The same field as an image.
 template <class S, class Node>
-Program<S> program_of(Writer<S>& writer, const Node& node) {
+StreamProgram<S> program_of(Writer<S>& writer, const Node& node) {
   writer.table(Scene<S>::kernel);
   writer.table(Scene<S>::wide_kernel);
   writer.table(Scene<S>::potential);
   writer.write(node);
   writer.builder().finish();
-  return load<S>(writer.builder().words(), writer.builder().size() * size_t{4});
+  return load<S, StreamOperations>(writer.builder().words(), writer.builder().size() * size_t{4});
 }
 
 // Digest of the first `queries` queries of the stream in the number type S. No allocation; 12 KiB of stack.
@@ -235,10 +244,10 @@ uint64_t query_digest(uint32_t queries) {
   const auto moving = field(Fields::moving);
   const auto soft = field(Fields::soft);
   Writer<S> images[4];
-  const Program<S> nested = program_of(images[0], Fields::nested);
-  const Program<S> carved_program = program_of(images[1], Fields::carved);
-  const Program<S> soft_placed = program_of(images[2], Fields::soft_placed);
-  const Program<S> turned = program_of(images[3], unite(Fields::turned, Fields::sharp));
+  const StreamProgram<S> nested = program_of(images[0], Fields::nested);
+  const StreamProgram<S> carved_program = program_of(images[1], Fields::carved);
+  const StreamProgram<S> soft_placed = program_of(images[2], Fields::soft_placed);
+  const StreamProgram<S> turned = program_of(images[3], unite(Fields::turned, Fields::sharp));
 
   add_facts<S>(digest, smooth);
   add_facts<S>(digest, sharp);

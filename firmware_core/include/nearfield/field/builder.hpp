@@ -7,8 +7,8 @@ namespace nearfield {
 
 // Collects tables first, then operations in postfix order, then finish(). Capacity in 32-bit words.
 // Nothing is reported before finish(), whose status is that of the image as a loader will see it; a full builder
-// gives wrong_size.
-template <class S, uint32_t Capacity> class ImageBuilder {
+// gives wrong_size. Operations: those that it can check (OnlyOperations<...>); others are unknown to it.
+template <class S, uint32_t Capacity, class Operations = AllOperations> class ImageBuilder {
  public:
   // Returns the table's reference for shape() and blend(). Precondition: no operation was added yet.
   template <int segments> constexpr uint32_t table(const Table<S, segments>& table) {
@@ -76,7 +76,7 @@ template <class S, uint32_t Capacity> class ImageBuilder {
       return found;
     }
     const uint32_t program_first = header_words + words_[table_words];
-    found = detail::inspect_operations<S, AllOperations>(words_, program_first, size_);
+    found = detail::inspect_operations<S, Operations>(words_, program_first, size_);
     words_[magic_word] = magic;
     words_[version_word] = version;
     words_[size_word] = size_;
@@ -93,7 +93,7 @@ template <class S, uint32_t Capacity> class ImageBuilder {
     words_[value_budget_word] = found.budget.value;
     words_[gradient_budget_word] = found.budget.gradient;
     words_[crc_word] = image_crc(words_, size_);
-    return found.status == LoadStatus::ok ? inspect_image<S>(words_, size_) : found;
+    return found.status == LoadStatus::ok ? inspect_image<S, Operations>(words_, size_) : found;
   }
 
   constexpr const uint32_t* words() const { return words_; }
