@@ -149,6 +149,7 @@ template <class S, SetOperation operation> struct LogSumExp {
 
   // log2(count) / 32, rounded up.
   static constexpr Rate log2_of_count(int count) {
+    if (count < 1) return {};
     int32_t whole = 0;
     while ((2 << whole) <= count) ++whole;
     // log2(1 + f) <= f + 0.0861 for f in [0, 1].
