@@ -3,6 +3,7 @@
 #include <nearfield/blend/ray_linear.hpp>
 #include <nearfield/curve/ray_kernel.hpp>
 #include <nearfield/field/program.hpp>
+#include <property/conversion.hpp>
 #include <reference/random.hpp>
 #include <reference/ray_linear_blends.hpp>
 
@@ -19,6 +20,7 @@
 namespace {
 
 using namespace nearfield;
+using property::real;
 using reference::announced_seed;
 using reference::BinaryBlend;
 using reference::BlendPoint;
@@ -27,15 +29,8 @@ using reference::Real;
 using reference::ScaleRanges;
 
 template <class S>
-S scalar(Real real) {
-  if constexpr (ScalarTraits<S>::is_fixed)
-    return S(static_cast<double>(real));
-  else
-    return static_cast<S>(real);
-}
-template <class S>
-Real real(S x) {
-  return static_cast<Real>(ScalarTraits<S>::to_double(x));
+S scalar(Real x) {
+  return property::rounded<S>(x);
 }
 template <class S>
 constexpr Real last_place() {

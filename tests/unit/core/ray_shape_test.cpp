@@ -2,6 +2,7 @@
 #include <golden/node_writer.hpp>
 #include <nearfield/field/program.hpp>
 #include <nearfield/shape/ray.hpp>
+#include <property/conversion.hpp>
 #include <reference/random.hpp>
 
 #include <gtest/gtest.h>
@@ -15,21 +16,15 @@
 namespace {
 
 using namespace nearfield;
+using property::real;
 using reference::announced_seed;
 using reference::Random;
 using reference::Real;
 using reference::Vec3;
 
 template <class S>
-S scalar(Real real) {
-  if constexpr (ScalarTraits<S>::is_fixed)
-    return S(static_cast<double>(real));
-  else
-    return static_cast<S>(real);
-}
-template <class S>
-Real real(S x) {
-  return static_cast<Real>(ScalarTraits<S>::to_double(x));
+S scalar(Real x) {
+  return property::rounded<S>(x);
 }
 template <class S>
 Vector3<S> rounded(const Vec3& v) {

@@ -72,7 +72,7 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
     Certificate<S> both = Sharp<S, operation>{}.certificate(of, facts, reach);
     both.valid = both.valid && scale.consistent() && scale.limit <= T::domain() && facts.error >= 0 && facts.error < (1 << 24);
     const Rate spread = spread_of(facts);
-    both.lipschitz = multiply_rates_up(both.lipschitz, spread);
+    both.lipschitz = ScalarTraits<Rate>::multiply_up(both.lipschitz, spread);
     both.valid = both.valid && both.lipschitz < kSteepest && facts.greatest_slope < kGreatestSlope;
     const S added = T::multiply_up(scale.limit, rate_up(facts.greatest_value));
     const S removed = T::multiply_up(scale.limit, rate_up(-int64_t{facts.least_value}));
@@ -141,7 +141,6 @@ template <class S, SetOperation operation, Sides sides = Sides::alike> struct Ad
     ArithmeticStatus ignored;
     return Rate::saturate(int64_t{kUnitRate.raw()} + (outside > 0 ? 2 * outside : 0), ignored);
   }
-  static constexpr Rate multiply_rates_up(Rate a, Rate b) { return ScalarTraits<Rate>::multiply_up(a, b); }
 };
 
 template <class S> using AdditiveUnion = Additive<S, SetOperation::unite>;

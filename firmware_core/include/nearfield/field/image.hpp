@@ -95,6 +95,11 @@ constexpr TableFacts read_facts(const uint32_t* table) {
           static_cast<int32_t>(table[5]), static_cast<int32_t>(table[6]), static_cast<int32_t>(table[7])};
 }
 
+// A table of an image, by its first word.
+template <class S> constexpr TableView<S> table_of_image(const uint32_t* table) {
+  return {table + image_format::table_header_words, static_cast<int>(table[0]), static_cast<int>(table[1])};
+}
+
 // The abstract machine: evaluates a program on certificates instead of values.
 template <class S, class Operations> class Inspector {
  public:
@@ -179,9 +184,7 @@ template <class S, class Operations> class Inspector {
     if (!take_operands<T>(operation)) return;
     if constexpr (uses_table<T>) {
       if (!table_found<T>()) return;
-      const TableView<S> view = {image_ + table_ + image_format::table_header_words, static_cast<int>(image_[table_]),
-                                 static_cast<int>(image_[table_ + 1])};
-      if (!table_fits(operation, view)) {
+      if (!table_fits(operation, table_of_image<S>(image_ + table_))) {
         fail(LoadStatus::bad_table);
         return;
       }
@@ -334,7 +337,7 @@ constexpr Inspection<S> inspect_operations(const uint32_t* image, uint32_t first
 // coefficients cannot tell is facts.error: how far they are from the function that was meant.
 template <class S> constexpr bool table_holds(const uint32_t* table) {
   if (table[1] > 3 || table[1] > table[0]) return false;
-  const TableView<S> view = {table + image_format::table_header_words, static_cast<int>(table[0]), static_cast<int>(table[1])};
+  const TableView<S> view = table_of_image<S>(table);
   const int segments = 1 << view.index_bits;
   if (!coefficients_in_range(view, segments)) return false;
   const TableFacts claimed = read_facts(table), found = ranges_of(view, segments);

@@ -89,10 +89,13 @@ template <class S, class Operations = AllOperations> class Program {
       this->outer_balls[frame_depth - 1] = this->ball;
       this->ball = inner_ball(this->ball, translation, origin);
     }
-    void leave() {
+    void leave_frame() {
       --frame_depth;
       if constexpr (finds_highest) this->ball = this->outer_balls[frame_depth];
       point = fetch<Vector3<S>>(outer_points + frame_depth * point_words);
+    }
+    void leave() {
+      leave_frame();
       if constexpr (Out::has_gradient) {
         const Pose<S>* slot = frame_slot[frame_depth];
         top.gradient = slot != nullptr ? rotate(slot->rotation, top.gradient)
@@ -101,9 +104,7 @@ template <class S, class Operations = AllOperations> class Program {
     }
 
     void leave_box(const DeclaredBox<S>& box) {
-      --frame_depth;
-      if constexpr (finds_highest) this->ball = this->outer_balls[frame_depth];
-      point = fetch<Vector3<S>>(outer_points + frame_depth * point_words);
+      leave_frame();
       top = box.at(point, top);
     }
 
@@ -128,10 +129,7 @@ template <class S, class Operations = AllOperations> class Program {
     __builtin_memcpy(words, static_cast<const void*>(&value), sizeof(T));
   }
 
-  TableView<S> table(uint32_t reference) const {
-    const uint32_t* t = image_ + reference;
-    return {t + image_format::table_header_words, static_cast<int>(t[0]), static_cast<int>(t[1])};
-  }
+  TableView<S> table(uint32_t reference) const { return detail::table_of_image<S>(image_ + reference); }
 
   template <class T, class Out> __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
     constexpr int count = detail::operand_count_of<T>;
