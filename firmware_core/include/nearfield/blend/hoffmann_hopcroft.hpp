@@ -51,9 +51,10 @@ template <class S> struct HoffmannHopcroftConic {
     const S first_error = product_up(first_slope, a.error), second_error = product_up(second_slope, b.error);
     const S corner_error = product_up(sharpness, sum_up(first_error, second_error));
     const S carried = greatest_of_two(greatest_of_two(first_error, second_error), corner_error);
-    const Rate first_rate = rate_product_up(a.lipschitz, first_slope);
-    const Rate second_rate = rate_product_up(b.lipschitz, second_slope);
-    const Rate corner_rate = rate_product_up(first_rate + second_rate, sharpness);
+    const Rate first_rate = rate_product_up(a.lipschitz, before_rounding(first_slope, first.limit));
+    const Rate second_rate = rate_product_up(b.lipschitz, before_rounding(second_slope, second.limit));
+    const Rate corner_rate =
+        rate_product_up(first_rate + second_rate, before_rounding(sharpness, ScalarTraits<S>::one() - conic));
     const Rate steepest = greatest_of_two(greatest_of_two(first_rate, second_rate), corner_rate);
     const S own = own_error();
     const S magnitude = greatest_of_two(greatest_of_two(a.magnitude, b.magnitude), sum_up(depth, own));
@@ -80,6 +81,14 @@ template <class S> struct HoffmannHopcroftConic {
     return sum == again.sum && depth == again.depth && sharpness == again.sharpness &&
            first_slope == again.first_slope && second_slope == again.second_slope && sum < limit && depth < limit &&
            first_slope < limit && second_slope < limit;
+  }
+  // A bound of the quotient that it is of numbers before they were rounded, `divisor` the rounded one.
+  static constexpr S before_rounding(S of, S divisor) {
+    if constexpr (ScalarTraits<S>::is_fixed) {
+      return divisor.raw() > 1 ? sum_up(of, units_up<S>(of.raw() / (divisor.raw() - 1) + 2)) : algebraic_limit<S>();
+    } else {
+      return sum_up(of, roundings(of, 2));
+    }
   }
   // An exact product in units of the last place, rounded up.
   static constexpr int64_t up(int64_t exact) {

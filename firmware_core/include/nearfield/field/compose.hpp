@@ -273,6 +273,9 @@ constexpr auto combine(const T& operation, const Table<S, segments, degree, bits
                 "not the number of operands that the operation takes");
   return Combined<T, TableView<S, degree, bits>, Operand...>{operation, table.view(), table.facts, detail::list(operand...)};
 }
+// A temporary table would be gone before the field is asked.
+template <class T, class S, int segments, int degree, int bits, class... Operand>
+constexpr auto combine(const T&, const Table<S, segments, degree, bits>&&, const Operand&...) = delete;
 
 // Sharp set operations on distances.
 template <class A, class B> constexpr auto unite(const A& a, const B& b) {
@@ -316,12 +319,20 @@ template <class S, int segments, int degree, int bits, class A, class B>
 constexpr auto subtract(const Table<S, segments, degree, bits>& kernel, detail::NotDeduced<S> length, const A& a, const B& b) {
   return detail::additive<AdditiveSubtraction>(kernel, length, a, b);
 }
+template <class S, int segments, int degree, int bits, class A, class... More>
+constexpr auto unite(const Table<S, segments, degree, bits>&&, detail::NotDeduced<S>, const A&, const More&...) = delete;
+template <class S, int segments, int degree, int bits, class A, class B>
+constexpr auto intersect(const Table<S, segments, degree, bits>&&, detail::NotDeduced<S>, const A&, const B&) = delete;
+template <class S, int segments, int degree, int bits, class A, class B>
+constexpr auto subtract(const Table<S, segments, degree, bits>&&, detail::NotDeduced<S>, const A&, const B&) = delete;
 
 // A soft skeleton with its potential, a table over the squared distance that must outlive the field.
 template <class Shape, class S, int segments>
 constexpr auto with_potential(const Shape& shape, const Table<S, segments>& table) {
   return combine(shape, table);
 }
+template <class Shape, class S, int segments>
+constexpr auto with_potential(const Shape&, const Table<S, segments>&&) = delete;
 // F = sum of all operands' intensities.
 template <class A, class B> constexpr auto soft_sum(const A& a, const B& b) {
   return combine(SoftSum<typename A::Scalar>{}, a, b);

@@ -14,6 +14,9 @@ template <class S, int F, class R> constexpr S per_gradient_length(WideProduct<F
 }
 template <class S> constexpr float per_gradient_length(float per_metre) { return per_metre * 0.0625f; }
 
+// The length of a vector of coefficients before they were rounded, at most.
+template <class S> constexpr S before_rounding(S length) { return sum_up(length, roundings(length, 1)); }
+
 }  // namespace detail
 
 // normal . p - offset. The normal need not be of unit length: 1/m times whatever the value means. Its components and
@@ -44,7 +47,7 @@ template <class S> struct AlgebraicPlane {
     if constexpr (T::is_fixed) error = units_up<S>(metres_up(reach.radius) + 1);
     else error = roundings(greatest, 2);
     const bool valid = coordinates_in_domain(normal) && within(offset, -T::domain(), T::domain());
-    return algebraic_certificate<S>({sum_up(greatest, error), rate_product_up(kGradientLength, slope), error},
+    return algebraic_certificate<S>({sum_up(greatest, error), rate_product_up(kGradientLength, before_rounding(slope)), error},
                                     valid && reach.radius < T::greatest());
   }
 };
@@ -94,7 +97,7 @@ template <class S> struct Quadric {
     const bool valid = coordinates_in_domain(diagonal) && coordinates_in_domain(off_diagonal) &&
                        coordinates_in_domain(linear) && within(constant, -limit, limit);
     return algebraic_certificate<S>({saturates ? algebraic_limit<S>() : sum_up(greatest, error),
-                                     rate_product_up(kGradientLength, sum_up(sum_up(bent, bent), slope)), error},
+                                     rate_product_up(kGradientLength, sum_up(sum_up(bent, bent), before_rounding(slope))), error},
                                     valid && reach.radius < T::greatest());
   }
 
@@ -107,7 +110,9 @@ template <class S> struct Quadric {
   }
   constexpr S greatest_row() const {
     const S x = sum_of_magnitudes(row_x()), y = sum_of_magnitudes(row_y()), z = sum_of_magnitudes(row_z());
-    return greatest_of_two(x, greatest_of_two(y, z));
+    const S greatest = greatest_of_two(x, greatest_of_two(y, z));
+    // Of coefficients before they were rounded: half a unit each.
+    return detail::sum_up(greatest, detail::roundings(greatest, 2));
   }
 };
 

@@ -106,7 +106,9 @@ template <class S> constexpr AlgebraicBounds<S> scaled_bounds(const AlgebraicBou
   const S product = product_up(a.magnitude, size), own = roundings(product, 1);
   const bool lost = !(a.magnitude < algebraic_limit<S>());
   const S of_factor = product_up(a.magnitude, ScalarTraits<S>::rounding_unit(rounded_at));
-  return settled<S>({lost ? algebraic_limit<S>() : sum_up(product, own), rate_product_up(a.lipschitz, size),
+  // The factor before it was rounded may have been greater.
+  const S greatest_size = sum_up(size, ScalarTraits<S>::rounding_unit(rounded_at));
+  return settled<S>({lost ? algebraic_limit<S>() : sum_up(product, own), rate_product_up(a.lipschitz, greatest_size),
                      sum_up(product_up(a.error, size), sum_up(of_factor, own))});
 }
 template <class S> constexpr AlgebraicBounds<S> scaled_bounds(const AlgebraicBounds<S>& a, S factor) {

@@ -16,6 +16,7 @@ template <class S> struct Certificate {
   bool partial = false;  // 0 wherever it is not known: no distance for a blend to go by (modify/declared_box.hpp)
   S magnitude{};         // bound of |value| within the reach; 0: not known, but for algebraic fields, of which the greatest
                          // number says that they may saturate; of distances before what inflation and erosion add
+  S below_zero{};        // of intensities: how far below 0 the value may be; 0 where no weight is negative
 };
 
 // As a lipschitz constant: none is known that fits a Rate. The error is then the greatest number as a rule.

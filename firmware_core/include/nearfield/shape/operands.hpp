@@ -53,6 +53,7 @@ template <class S> constexpr Certificate<S> worst_of(const Certificate<S>& a, co
   both.erosion = greatest_of_two(a.erosion, b.erosion);
   both.inflation = greatest_of_two(a.inflation, b.inflation);
   both.error = greatest_of_two(a.error, b.error);
+  both.below_zero = greatest_of_two(a.below_zero, b.below_zero);
   return both;
 }
 

@@ -54,11 +54,12 @@ template <class S> struct RayRadius {
     const RayRadius again(radius);
     return gradient_factor == again.gradient_factor && inverse == again.inverse;
   }
-  // 1 / R, rounded up; the greatest rate, which no certificate may have, if R is too small.
+  // 1 / R of the R that was rounded, rounded up; the greatest rate, which no certificate may have, if R is too small.
   constexpr Rate rate() const {
     if (!valid()) return Rate::greatest();
     if constexpr (ScalarTraits<S>::is_fixed) {
-      return quotient<Rate>(ScalarTraits<S>::one(), inverse) + Rate::from_raw(32);
+      const S least = radius - ScalarTraits<S>::rounding_unit(radius);
+      return quotient<Rate>(ScalarTraits<S>::one(), reciprocal_of(least)) + Rate::from_raw(32);
     } else {
       return Rate::from_raw(static_cast<int32_t>(inverse.inverse * 16777216.0f) + 256);
     }

@@ -77,6 +77,8 @@ constexpr void state_potential_bounds(Certificate<S>& certificate, const Potenti
   certificate.error = T::multiply_up(T::one(), bounds.error) + products +
                       (bounded ? least_of_two(of_argument, absolute(weight)) : absolute(weight));
   if (bounds.error == kNoRateBound) certificate.error = T::greatest();
+  certificate.magnitude = absolute(weight) + certificate.error;
+  certificate.below_zero = weight < S{} ? certificate.magnitude : S{};
 }
 
 // A distance that is at most `spread` off, towards where weight * P is greatest.
