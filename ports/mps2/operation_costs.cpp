@@ -8,7 +8,7 @@ int main() {
   using namespace nearfield;
   if (!board::prepare_instruction_counter()) return 1;
   board::write(
-      "worst instructions on this core, and those stated; operations with any number of operands: of each\n");
+      "worst instructions on this core, and those stated; of any number of items: beyond what is stated of each\n");
   costs::write_heading();
   costs::measure_fields();
   costs::measure_blends();

@@ -100,13 +100,22 @@ constexpr Cost greatest_of_both(const Cost& a, const Cost& b) {
           greatest_of_two(a.highest, b.highest)};
 }
 
+// What is left of a cost when as much is taken away.
+constexpr Cost beyond(const Cost& a, const Cost& b) {
+  const auto less = [](uint32_t x, uint32_t y) { return x > y ? x - y : 1; };
+  return {less(a.value, b.value), less(a.gradient, b.gradient), less(a.highest, b.highest)};
+}
+inline Cost stated_cost(Budget stated) {
+  return {stated.value, stated.gradient, cortex_m4_highest_cost(stated.value)};
+}
+
 // Of evaluate() itself: what a program without operations takes. None is valid, but it can be run.
 inline Cost evaluation_cost() {
   return {instructions_at<Value<Q>>({}, {}), instructions_at<Sample<Q>>({}, {}),
           instructions_at<Highest<Q>>({}, {})};
 }
 
-// The greatest costs measured so far, by the operation's code; of each operand where their number is any.
+// The greatest costs measured so far, by the operation's code; of any number of items beyond what is stated of each.
 inline Cost measured_costs[256];
 
 constexpr const char* name_of(Operation operation) {
@@ -146,10 +155,9 @@ class Trial {
     append(whole_, operation);
     const Operation code = OperationOf<T>::value;
     Cost cost = worst(name_of(code));
-    if constexpr (detail::operand_count_of<T> == kAnyNumber) {
-      const uint32_t count = static_cast<uint32_t>(operand_count_);
-      cost = {(cost.value + count - 1) / count, (cost.gradient + count - 1) / count,
-              (cost.highest + count - 1) / count};
+    if constexpr (detail::has_items<T>) {
+      const auto count = static_cast<uint32_t>(detail::item_count(operation));
+      cost = beyond(cost, stated_cost(count * cortex_m4_item_cost(code)));
     }
     Cost& known = measured_costs[static_cast<uint32_t>(code)];
     known = greatest_of_both(known, cost);
@@ -225,10 +233,6 @@ inline void report(const char* name, const Cost& measured, const Cost& stated) {
   write_pair(measured.highest, stated.highest, 9);
   board::write(failures == failures_before ? "\n" : "  EXCEEDED\n");
 }
-inline Cost stated_cost(Budget stated) {
-  return {stated.value, stated.gradient, cortex_m4_highest_cost(stated.value)};
-}
-
 // Every operation of the list; fails for those that were not measured.
 inline void report_operations() {
   const auto report_one = [](Operation operation, const char* name) {

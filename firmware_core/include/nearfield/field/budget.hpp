@@ -14,8 +14,8 @@ struct Budget {
   friend constexpr Budget operator*(uint32_t count, Budget b) { return {count * b.value, count * b.gradient}; }
 };
 
-// The cost stated in operations.hpp; of the payload's number of operands, if an operation takes any number. A frame's
-// cost is that of entering and leaving together.
+// The cost stated in operations.hpp: of any number of items, that of none. A frame's cost is that of entering and leaving
+// together.
 constexpr Budget cortex_m4_cost(Operation operation) {
   switch (operation) {
 #define NEARFIELD_COST(code, name, type, value, gradient) \
@@ -29,10 +29,22 @@ constexpr Budget cortex_m4_cost(Operation operation) {
   }
   return {};
 }
+constexpr Budget cortex_m4_item_cost(Operation operation) {
+  switch (operation) {
+#define NEARFIELD_COST(name, value, gradient) \
+  case Operation::name: return {value, gradient};
+    NEARFIELD_ITEM_COSTS(NEARFIELD_COST)
+#undef NEARFIELD_COST
+    default: return {};
+  }
+}
 template <class T> constexpr Budget cortex_m4_cost(const T& operation) {
-  const Budget cost = cortex_m4_cost(OperationOf<T>::value);
-  if constexpr (detail::operand_count_of<T> == kAnyNumber) return static_cast<uint32_t>(operation.operand_count()) * cost;
-  else return cost;
+  constexpr Operation code = OperationOf<T>::value;
+  if constexpr (detail::has_items<T>) {
+    return cortex_m4_cost(code) + static_cast<uint32_t>(detail::item_count(operation)) * cortex_m4_item_cost(code);
+  } else {
+    return cortex_m4_cost(code);
+  }
 }
 
 // What a greatest value in a ball, highest(), costs of operations whose values cost this.

@@ -10,6 +10,8 @@
 //                 Highest<S> highest(point, ball [, table])         or  highest(a [, b], ball [, table]):
 // nowhere in the ball is the intensity greater than that and the certificate's error together.
 //
+// Where the cost grows with a number of parts that are not its operands, int item_count() tells it.
+//
 // With `takes_partial` true it takes operands whose certificate is partial; with `checks_table` true, bool fits(table) says
 // whether a table is of the form that it samples.
 #pragma once
@@ -39,6 +41,16 @@ template <class T, class = void> inline constexpr bool checks_table_of = false;
 template <class T> inline constexpr bool checks_table_of<T, decltype(void(T::checks_table))> = T::checks_table;
 template <class T, class = void> inline constexpr bool uses_table = false;
 template <class T> inline constexpr bool uses_table<T, decltype(void(T::samples_table))> = T::samples_table;
+
+template <class T, class = void> inline constexpr bool has_item_count = false;
+template <class T> inline constexpr bool has_item_count<T, decltype(void(&T::item_count))> = true;
+template <class T> inline constexpr bool has_items = operand_count_of<T> == kAnyNumber || has_item_count<T>;
+
+// By what its cost grows.
+template <class T> constexpr int item_count(const T& operation) {
+  if constexpr (has_item_count<T>) return operation.item_count();
+  else return operation.operand_count();
+}
 
 }  // namespace detail
 
