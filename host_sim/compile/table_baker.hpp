@@ -28,7 +28,7 @@ struct TableFunction {
 // A blending kernel of nearfield/curve/kernel.hpp.
 template <class Kernel>
 TableFunction table_function(std::string identity, const Kernel& kernel) {
-  return {std::move(identity), argument_range(kernel), kernel};
+  return {std::move(identity), argument_range(kernel), kernel, detail::breaks_of(kernel, 0)};
 }
 // Its name and parameters, the same for the same curve.
 std::string identity_of(const ConfiguredCurve& curve);

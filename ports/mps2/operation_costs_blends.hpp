@@ -50,6 +50,16 @@ void measure_log_sum_exp() {
   }
 }
 
+inline void measure_parameters() {
+  Trial().operand(kBall).operand(kOtherBall).measure(Morph<Q>{0});
+  Trial().operand(kBall).measure(Swell<Q>{Q(-0.7), 0});
+  const RayPoint<Q> a = {kPlace, RayRadius<Q>(Q(0.7))}, b = {{0.2, 0.1, 0.3}, RayRadius<Q>(Q(0.7))};
+  Trial().operand(a).operand(b).measure(RayMorph<Q>{0});
+  const SoftPoint<Q> dim = {kPlace, Influence<Q>(Q(1.5), Q(1.0))}, bright = {{0.2, 0.1, 0.3}, Influence<Q>(Q(1.5), Q(-4.0))};
+  Trial(kSquaredPotential).operand(dim).operand(bright).measure(IntensityMorph<Q>{0});
+  Trial(kSquaredPotential).operand(bright).measure(Fade<Q>{0});
+}
+
 inline void measure_intensity_blends() {
   const Influence<Q> influences[] = {Influence<Q>(Q(1.5), Q(1.0)), Influence<Q>(Q(0.125), Q(4.0)),
                                      Influence<Q>(Q(0.125), Q(-4.0))};
@@ -170,6 +180,7 @@ inline void measure_blends() {
   measure_log_sum_exp<LogSumExpIntersection>();
   measure_log_sum_exp<LogSumExpSubtraction>();
   measure_intensity_blends();
+  measure_parameters();
   measure_ray_blends();
   measure_algebraic_blends();
   measure_patches();

@@ -30,11 +30,11 @@ __attribute__((noinline)) inline Clearance<Q> clearance_at(const Program<Q>& pro
 }
 __attribute__((noinline)) inline Clearance<Q> clearance_in_slot(const Program<Q>& program,
                                                                 const Vector3<Q>& p) {
-  return clearance(program, p, &kPose, 1);
+  return clearance(program, p, kSlots);
 }
 __attribute__((noinline)) inline Clearance<Q> soft_clearance_at(const Program<Q>& program,
                                                                 const Vector3<Q>& p) {
-  return soft_clearance(program, p, &kPose, 1);
+  return soft_clearance(program, p, kSlots);
 }
 template <class Answer>
 Q distance_of(const Answer& answer) {
@@ -80,6 +80,12 @@ inline void report_query() {
   builder.enter_slot(0).operation(kBall).leave();
   const uint32_t in_slot = worst_beyond_evaluation(loaded(builder, "a ball in a slot"), clearance_in_slot);
   report_gradient("check of a pose", in_slot - worst, kCortexM4PoseCheckCost);
+  const auto with_parameters = [](uint32_t count) {
+    Builder swelling;
+    swelling.operation(kBall).operation(Swell<Q>{Q(0.5), count - 1});
+    return worst_beyond_evaluation(loaded(swelling, "a swelling ball"), clearance_in_slot);
+  };
+  report_gradient("check of a parameter", with_parameters(2) - with_parameters(1), kCortexM4ParameterCheckCost);
 }
 
 // Of a field in a slot, and through the C interface, against the budgets that they state themselves.

@@ -58,12 +58,14 @@ struct Random {
   }
 };
 
-// The identity, so that operands are evaluated where they are without a frame.
+// The identity, so that operands are evaluated where they are without a frame; parameters with many bits.
 inline const Pose<Q> kPose;
+inline const Q kParameters[] = {Q::from_raw(0x5a5a5a5), Q::from_raw(0x1234567)};
+inline const Slots<Q> kSlots(&kPose, 1, kParameters, 2);
 inline volatile int32_t sink;
 
 template <class Out>
-__attribute__((noinline)) Out value_of(const Program<Q>& program, const Place& at, const Pose<Q>* slots) {
+__attribute__((noinline)) Out value_of(const Program<Q>& program, const Place& at, const Slots<Q>& slots) {
   if constexpr (__is_same(Out, Highest<Q>))
     return program.highest(at.point, at.radius, slots);
   else
@@ -72,7 +74,7 @@ __attribute__((noinline)) Out value_of(const Program<Q>& program, const Place& a
 template <class Out>
 uint32_t instructions_at(const Program<Q>& program, const Place& at) {
   board::start_instruction_count();
-  const Out value = value_of<Out>(program, at, &kPose);
+  const Out value = value_of<Out>(program, at, kSlots);
   const uint32_t count = board::stop_instruction_count();
   sink = value.value.raw();
   return count;

@@ -2,6 +2,7 @@
 // only: the same on the host and on a target.
 #pragma once
 
+#include <golden/clearance_of_any.hpp>
 #include <golden/node_writer.hpp>
 #include <nearfield/curve/kernel.hpp>
 #include <nearfield/curve/potential.hpp>
@@ -185,12 +186,13 @@ void add_answer(Digest& digest, const AnyField& field, const Vector3<S>& p, cons
     digest.add(T::word(v.y));
     digest.add(T::word(v.z));
   };
-  const Clearance<S> answer = clearance(field, p, slots, count);
+  const Clearance<S> answer = clearance_of_any(field, p, slots, count);
   digest.add(static_cast<uint32_t>(answer.status));
   digest.add(T::word(answer.distance));
   add_vector(answer.direction);
-  if (!field.valid() || field.slot_count() > count || !coordinates_in_domain(p) ||
-      !nearfield::detail::valid_poses(slots, field.slot_count()))
+  const Slots<S> given(slots, count);
+  if (!field.valid() || !coordinates_in_domain(p) || !nearfield::detail::slots_given(field, given) ||
+      !nearfield::detail::valid_slots(field, given))
     return;
   digest.add(T::word(field.template evaluate<Value<S>>(p, slots).value));
   const Sample<S> sample = field.template evaluate<Sample<S>>(p, slots);

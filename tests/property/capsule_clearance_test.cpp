@@ -159,7 +159,7 @@ class SweepTrial {
     for (std::size_t i = 0; i < efforts.size(); ++i) {
       const Clearance<S> answer =
           clearance(field.program, body, body_error, SweepEffort<S>{efforts[i], tolerance},
-                    field.slots.data(), static_cast<uint32_t>(field.slots.size()));
+                    Slots<S>(field.slots.data(), static_cast<uint32_t>(field.slots.size())));
       answered_.check(answer.status != ClearanceStatus::invalid, [&](std::ostream& out) { out << length; });
       positive_.check((answer.status == ClearanceStatus::clear) == (answer.distance > S{}),
                       [&](std::ostream& out) { out << real(answer.distance); });

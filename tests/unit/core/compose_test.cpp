@@ -1,4 +1,5 @@
 // A field as a static composition and as a program: the same bits. And which questions are refused.
+#include <golden/clearance_of_any.hpp>
 #include <golden/node_writer.hpp>
 #include <nearfield/curve/kernel.hpp>
 #include <nearfield/curve/potential.hpp>
@@ -135,7 +136,7 @@ constexpr uint32_t kSlots = 3;
 template <class AnyField, class S = typename AnyField::Scalar>
 Answers<S> answers_of(const AnyField& field, const Vector3<S>& p, const Pose<S>* slots) {
   return {field.template evaluate<Sample<S>>(p, slots), field.template evaluate<Value<S>>(p, slots),
-          clearance(field, p, slots, kSlots)};
+          golden::clearance_of_any(field, p, slots, kSlots)};
 }
 
 // The composition's type is forgotten here, so that only its evaluation is compiled for each type of node.
@@ -424,7 +425,7 @@ template <class Node>
   const auto composed = field(node);
   expect_refusals<S>(what, composed.valid(),
                      [&composed](const Vector3<S>& p, const Pose<S>* poses, uint32_t count) {
-                       return clearance(composed, p, poses, count);
+                       return golden::clearance_of_any(composed, p, poses, count);
                      });
 }
 

@@ -87,8 +87,11 @@ TEST(DeclaredBox, HasTheGradientOfItsValue) {
     const Vec3 at = random.vector(-0.95L, 0.95L);
     const Vector3<S> gradient = boxed.evaluate<Sample<S>>(rounded<S>(at), nullptr).gradient;
     const Vec3 step{1e-3L, 0, 0};
-    const auto value = [&](const Vec3& p) { return real(boxed.evaluate<Value<S>>(rounded<S>(p), nullptr).value); };
-    const Real ahead = (value(at + step) - value(at)) / 1e-3L, behind = (value(at) - value(at - step)) / 1e-3L;
+    const auto value = [&](const Vec3& p) {
+      return real(boxed.evaluate<Value<S>>(rounded<S>(p), nullptr).value);
+    };
+    const Real ahead = (value(at + step) - value(at)) / 1e-3L;
+    const Real behind = (value(at) - value(at - step)) / 1e-3L;
     if (std::fabs(ahead - behind) > 2e-3L) continue;  // at an edge of the box's depth
     EXPECT_NEAR(static_cast<double>(real(gradient).x), static_cast<double>(ahead + behind) / 2, 1e-3);
   }
@@ -123,13 +126,29 @@ TEST(DeclaredBox, IsTheSameInPrograms) {
 // Without a box there is no clearance to be had, and none from a field whose gradient has no bound in it.
 TEST(DeclaredBox, IsNeeded) {
   using S = Fixed<27>;
-  EXPECT_EQ(clearance(field(ball<S>({}, 0.3L)), {S(1.0), {}, {}}).status, ClearanceStatus::invalid);
+  ImageBuilder<S, 100> builder;
+  ASSERT_EQ(builder.operation(ball<S>({}, 0.3L)).finish().status, LoadStatus::ok);
+  const Program<S> bare = load<S>(builder.words(), builder.size() * sizeof(uint32_t));
+  ASSERT_TRUE(bare.valid());
+  for (const S x : {S(), S(0.5), S(1.0)}) {
+    const Clearance<S> answer = clearance(bare, {x, {}, {}});
+    EXPECT_EQ(answer.status, ClearanceStatus::invalid);
+    EXPECT_EQ(answer.distance, S::least());
+    EXPECT_TRUE(answer.direction == Vector3<S>{});
+  }
   Quadric<S> steep = ball<S>({}, 0.3L);
   steep.diagonal = {S(1.0), S(1.0), S(1.0)};
   EXPECT_FALSE(field(in_box({S(4.0), S(4.0), S(4.0)}, steep)).valid()) << "it saturates there";
   EXPECT_TRUE(field(in_box({S(1.0), S(1.0), S(1.0)}, steep)).valid());
   EXPECT_TRUE(field(in_box({S(1.0), S(1.0), S(1.0)}, ball<S>({}, 0.3L))).valid());
   EXPECT_FALSE(field(in_box({S(1.0), S(), S(1.0)}, ball<S>({}, 0.3L))).valid());
+  // Patches change at any rate where their bounds meet.
+  const AlgebraicPlane<S> x = {{S(1.0), {}, {}}, {}}, y = {{{}, S(1.0), {}}, {}};
+  RibbonPatch<S> patch;
+  patch.side_count = 2;
+  patch.side_weight[0] = patch.side_weight[1] = S(1.0);
+  EXPECT_TRUE(field(combine(patch, x, y, y, x)).valid());
+  EXPECT_FALSE(field(in_box({S(1.0), S(1.0), S(1.0)}, combine(patch, x, y, y, x))).valid());
 }
 
 TEST(DeclaredBox, RefusesWhatDoesNotFitTogether) {
@@ -143,8 +162,10 @@ TEST(DeclaredBox, RefusesWhatDoesNotFitTogether) {
     return builder.finish().status;
   };
   EXPECT_EQ(status([&](auto& b) { b.enter_box(half).operation(quadric).leave_box(box); }), LoadStatus::ok);
-  EXPECT_EQ(status([&](auto& b) { b.enter_box(half).operation(quadric).leave(); }), LoadStatus::frames_unbalanced);
-  EXPECT_EQ(status([&](auto& b) { b.enter({}).operation(quadric).leave_box(box); }), LoadStatus::frames_unbalanced);
+  EXPECT_EQ(status([&](auto& b) { b.enter_box(half).operation(quadric).leave(); }),
+            LoadStatus::frames_unbalanced);
+  EXPECT_EQ(status([&](auto& b) { b.enter({}).operation(quadric).leave_box(box); }),
+            LoadStatus::frames_unbalanced);
   EXPECT_EQ(status([&](auto& b) { b.operation(quadric).leave_box(box); }), LoadStatus::frames_unbalanced);
   EXPECT_EQ(status([&](auto& b) { b.enter_box(half).leave_box(box); }), LoadStatus::frames_unbalanced);
   EXPECT_EQ(status([&](auto& b) { b.enter_box(half).operation(Sphere<S>{{}, S(0.1)}).leave_box(box); }),
@@ -215,15 +236,18 @@ TEST(ChosenOperations, AreTheOnlyOnesThatLoad) {
   using S = Fixed<27>;
   using Few = OnlyOperations<Operation::sphere, Operation::sharp_union>;
   ImageBuilder<S, 100> balls, box;
-  balls.operation(Sphere<S>{{}, S(0.25)}).operation(Sphere<S>{{S(0.5), {}, {}}, S(0.5)}).operation(SharpUnion<S>{});
+  balls.operation(Sphere<S>{{}, S(0.25)}).operation(Sphere<S>{{S(0.5), {}, {}}, S(0.5)});
+  balls.operation(SharpUnion<S>{});
   box.operation(Box<S>{{}, {S(0.25), S(0.25), S(0.25)}});
   ASSERT_EQ(balls.finish().status, LoadStatus::ok);
   ASSERT_EQ(box.finish().status, LoadStatus::ok);
   const auto few = load<S, Few>(balls.words(), balls.size() * sizeof(uint32_t));
   ASSERT_TRUE(few.valid());
   const Vector3<S> p{S(1.0), S(0.75), S(-0.5)};
-  EXPECT_EQ(clearance(few, p).distance, clearance(load<S>(balls.words(), balls.size() * sizeof(uint32_t)), p).distance);
-  EXPECT_EQ((load<S, Few>(box.words(), box.size() * sizeof(uint32_t)).status()), LoadStatus::unknown_operation);
+  const auto all = load<S>(balls.words(), balls.size() * sizeof(uint32_t));
+  EXPECT_EQ(clearance(few, p).distance, clearance(all, p).distance);
+  const auto refused = load<S, Few>(box.words(), box.size() * sizeof(uint32_t));
+  EXPECT_EQ(refused.status(), LoadStatus::unknown_operation);
 }
 
 }  // namespace

@@ -116,7 +116,6 @@ TYPED_TEST(SoftClearanceOf, AnswersAndRefusals) {
   EXPECT_TRUE(soft_clearance(lone, {limit + limit, S{}, S{}}).distance == ScalarTraits<S>::least());
   EXPECT_EQ(soft_clearance(field(Sphere<S>{{}, number<S>(0.5)}), here).status, ClearanceStatus::invalid);
   EXPECT_EQ(soft_clearance(field(soft_ball(at<S>(0, 0, 0), -0.5, 1)), here).status, ClearanceStatus::invalid);
-  EXPECT_EQ(clearance(lone, here).status, ClearanceStatus::invalid);
   EXPECT_EQ(soft_clearance(field(soft_sum(ball, Fog<S>{})), here).status, ClearanceStatus::invalid);
   EXPECT_EQ(soft_clearance(field(place(Pose<S>{}, Fog<S>{})), here).status, ClearanceStatus::invalid);
   const auto in_frame = field(in_slot(0, ball));

@@ -149,13 +149,10 @@ template <class S, SetOperation operation> struct LogSumExp {
 
   // log2(count) / 32, rounded up.
   static constexpr Rate log2_of_count(int count) {
-    if (count < 1) return {};
-    int32_t whole = 0;
-    while ((2 << whole) <= count) ++whole;
-    // log2(1 + f) <= f + 0.0861 for f in [0, 1].
-    const int32_t rest = count - (1 << whole);
-    const int64_t fraction = rest == 0 ? 0 : (static_cast<int64_t>(rest) << 24) / (1 << whole) + 1444937;
-    return Rate::from_raw(static_cast<int32_t>(((static_cast<int64_t>(whole) << 24) + fraction) / 32 + 1));
+    constexpr int32_t rounded_up[greatest_operand_count] = {0, 524288, 830977, 1048576, 1217360, 1355265,
+                                                            1471863, 1572865, 1661954, 1741648, 1813739, 1879553,
+                                                            1940097, 1996151, 2048336, 2097152, 2143008, 2186242};
+    return count < 1 ? Rate{} : Rate::from_raw(rounded_up[count - 1]);
   }
 };
 

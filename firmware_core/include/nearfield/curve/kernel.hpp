@@ -14,6 +14,13 @@ template <class Kernel> struct TwoSided {
   constexpr Differentiable operator()(const Differentiable& u) const {
     return u.value < 0.5 ? kernel.at(2.0 * u, true) : kernel.at(2.0 * u - 1.0, false);
   }
+  constexpr detail::Breaks breaks() const {
+    const detail::Breaks lower = kernel.breaks(true), upper = kernel.breaks(false);
+    detail::Breaks both;
+    for (int i = 0; i < lower.count; ++i) both.add(0.5 * lower.places[i]);
+    for (int i = 0; i < upper.count; ++i) both.add(0.5 + 0.5 * upper.places[i]);
+    return both;
+  }
 };
 template <class Kernel> constexpr TwoSided<Kernel> two_sided(const Kernel& kernel) { return {kernel}; }
 template <class Kernel> constexpr double argument_range(const TwoSided<Kernel>& both) { return argument_range(both.kernel); }
@@ -22,6 +29,14 @@ namespace detail {
 
 // What a table cannot hold: of a kernel that is one-sided although its sides differ.
 inline constexpr double kUnusable = 4.0;
+
+// Adds the places where the pieces of a step meet that rises within epsilon of `center`.
+constexpr void add_breaks(Breaks& breaks, const CurveFacts& step, double center, double epsilon) {
+  breaks.add(center - epsilon);
+  for (int i = 0; i < step.break_count; ++i) breaks.add(center + epsilon * (2.0 * step.breaks[i] - 1.0));
+  if (step.middle_jump > 0.0) breaks.add(center);
+  breaks.add(center + epsilon);
+}
 
 }  // namespace detail
 
@@ -44,6 +59,14 @@ template <class Step> struct ExteriorKernel {
     const Differentiable shares = first_decides ? g1 + g2 - 2.0 : -(g1 + g2);
     return 0.5 * (shares * t + g1 * (1.0 - g2) * parabola);
   }
+  // Where the pieces of g1 and g2 meet.
+  constexpr detail::Breaks breaks(bool first_decides = true) const {
+    const double rising = first_decides ? epsilon : -epsilon;
+    detail::Breaks places;
+    detail::add_breaks(places, curve_facts(step), delta, rising);
+    detail::add_breaks(places, curve_facts(step), -delta, rising);
+    return places;
+  }
 };
 
 template <class Step> constexpr double argument_range(const ExteriorKernel<Step>& kernel) { return 1.0 / kernel.delta; }
@@ -65,6 +88,11 @@ template <class Step> struct InteriorKernel {
   }
   constexpr Differentiable at(const Differentiable& t, bool first_decides) const {
     return first_decides ? -1.0 * t * step(-1.0 * t) : t * (step(t) - 1.0);
+  }
+  constexpr detail::Breaks breaks(bool first_decides = true) const {
+    detail::Breaks places;
+    detail::add_breaks(places, curve_facts(step), 0.0, first_decides ? -1.0 : 1.0);
+    return places;
   }
 };
 template <class Step> constexpr InteriorKernel<Step> interior(Step step) { return {step, curve_facts(step).antisymmetric}; }

@@ -56,7 +56,7 @@ struct SuperEllipsoid {
   constexpr detail::Breaks breaks() const {
     detail::Breaks places;
     if (exponent == 1.0 || exponent >= 3.0) return places;
-    places.count = detail::Breaks::greatest_count;
+    places.count = 16;
     for (int i = 0; i < places.count; ++i) places.places[i] = 1.0 - detail::power_of_two(-7 - i);
     return places;
   }

@@ -51,9 +51,11 @@ template <class T> constexpr Budget cortex_m4_cost(const T& operation) {
 constexpr uint32_t cortex_m4_highest_cost(uint32_t value) { return value + value / 2 + value / 4; }
 
 // What a query costs beyond the operations: checks, certificate, result.
-inline constexpr Budget kCortexM4QueryCost = {28, 181};
+inline constexpr Budget kCortexM4QueryCost = {28, 225};
 
 // What a query with gradient adds for checking each pose that it is handed.
 inline constexpr uint32_t kCortexM4PoseCheckCost = 380;
+// The same for each parameter.
+inline constexpr uint32_t kCortexM4ParameterCheckCost = 12;
 
 }  // namespace nearfield

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nearfield/field/budget.hpp>
+#include <nearfield/field/slots.hpp>
 
 namespace nearfield {
 
@@ -50,17 +51,18 @@ namespace detail {
 // type.
 template <class Shape> struct NodeTraits {
   using S = typename Shape::Scalar;
-  template <class Out> static constexpr Out evaluate(const Shape& shape, const Vector3<S>& p, const Pose<S>*) {
+  template <class Out> static constexpr Out evaluate(const Shape& shape, const Vector3<S>& p, const Slots<S>&) {
     return shape.template evaluate<Out>(p);
   }
   static constexpr bool has_highest = passes_highest<Shape>;
-  static constexpr Highest<S> highest(const Shape& shape, const Vector3<S>& p, const Ball<S>& ball, const Pose<S>*) {
+  static constexpr Highest<S> highest(const Shape& shape, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>&) {
     if constexpr (has_own_highest<Shape>) return shape.highest(p, ball);
     else return shape.template evaluate<Highest<S>>(p);
   }
   static constexpr Certificate<S> certificate(const Shape& shape, Reach<S> reach) { return shape.certificate(reach); }
   static constexpr Budget budget(const Shape& shape) { return cortex_m4_cost(shape); }
   static constexpr uint32_t slot_count(const Shape&) { return 0; }
+  static constexpr uint32_t parameter_count(const Shape&) { return 0; }
 };
 
 // Whether sample_table() may be asked for slopes: as in an image.
@@ -68,29 +70,33 @@ template <class View> constexpr bool slopes_fit(const View& table) {
   return table.slope_headroom <= 3 && table.slope_headroom <= table.index_bits;
 }
 
+// How many slots there are when this is the last one; one too many of a slot that there cannot be.
+constexpr uint32_t parameter_slots_up_to(uint32_t slot) { return slot < kParameterLimit ? slot + 1 : kParameterLimit + 1; }
+
 // The same of the operands, into arrays.
 template <class... Operand> struct NodeListTraits;
 template <> struct NodeListTraits<> {
-  template <class Out, class S> static constexpr void evaluate(Out*, const NodeList<>&, const Vector3<S>&, const Pose<S>*) {}
+  template <class Out, class S> static constexpr void evaluate(Out*, const NodeList<>&, const Vector3<S>&, const Slots<S>&) {}
   static constexpr bool has_highest = true;
   template <class S>
-  static constexpr void highest(Highest<S>*, const NodeList<>&, const Vector3<S>&, const Ball<S>&, const Pose<S>*) {}
+  static constexpr void highest(Highest<S>*, const NodeList<>&, const Vector3<S>&, const Ball<S>&, const Slots<S>&) {}
   template <class S> static constexpr void certificates(Certificate<S>*, const NodeList<>&, Reach<S>) {}
   static constexpr Budget budget(const NodeList<>&) { return {}; }
   static constexpr uint32_t slot_count(const NodeList<>&) { return 0; }
+  static constexpr uint32_t parameter_count(const NodeList<>&) { return 0; }
 };
 template <class First, class... Rest> struct NodeListTraits<First, Rest...> {
   using List = NodeList<First, Rest...>;
   using Others = NodeListTraits<Rest...>;
   template <class Out, class S>
-  static constexpr void evaluate(Out* out, const List& list, const Vector3<S>& p, const Pose<S>* slots) {
+  static constexpr void evaluate(Out* out, const List& list, const Vector3<S>& p, const Slots<S>& slots) {
     *out = NodeTraits<First>::template evaluate<Out>(list.first, p, slots);
     Others::template evaluate<Out, S>(out + 1, list.rest, p, slots);
   }
   static constexpr bool has_highest = NodeTraits<First>::has_highest && Others::has_highest;
   template <class S>
   static constexpr void highest(Highest<S>* out, const List& list, const Vector3<S>& p, const Ball<S>& ball,
-                                const Pose<S>* slots) {
+                                const Slots<S>& slots) {
     *out = NodeTraits<First>::highest(list.first, p, ball, slots);
     Others::template highest<S>(out + 1, list.rest, p, ball, slots);
   }
@@ -102,6 +108,9 @@ template <class First, class... Rest> struct NodeListTraits<First, Rest...> {
   static constexpr uint32_t slot_count(const List& list) {
     return greatest_of_two(NodeTraits<First>::slot_count(list.first), Others::slot_count(list.rest));
   }
+  static constexpr uint32_t parameter_count(const List& list) {
+    return greatest_of_two(NodeTraits<First>::parameter_count(list.first), Others::parameter_count(list.rest));
+  }
 };
 
 template <class T, class View, class... Operand> struct NodeTraits<Combined<T, View, Operand...>> {
@@ -110,25 +119,25 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
   using Operands = NodeListTraits<Operand...>;
   static constexpr int count = NodeList<Operand...>::count;
 
-  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Pose<S>* slots) {
+  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
     if constexpr (count == 0) {
       return node.operation.template evaluate<Out>(p, node.table);
     } else {
       Out of[static_cast<size_t>(count)] = {};
       Operands::template evaluate<Out, S>(of, node.operands, p, slots);
-      return combined<Out>(node, of);
+      return combined<Out>(node, of, slots);
     }
   }
   static constexpr bool has_highest = passes_highest<T> && Operands::has_highest;
-  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Pose<S>* slots) {
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
     if constexpr (count == 0) {
       if constexpr (has_own_highest<T>) return node.operation.highest(p, ball, node.table);
       else return node.operation.template evaluate<Highest<S>>(p, node.table);
     } else {
       Highest<S> of[static_cast<size_t>(count)] = {};
       Operands::template highest<S>(of, node.operands, p, ball, slots);
-      if constexpr (!has_own_highest<T>) return combined<Highest<S>>(node, of);
-      else return combined_highest(node, of, ball);
+      if constexpr (!has_own_highest<T>) return combined<Highest<S>>(node, of, slots);
+      else return combined_highest(node, of, ball, slots);
     }
   }
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
@@ -141,24 +150,41 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
       Operands::template certificates<S>(of, node.operands, reach);
       Certificate<S> all = certificate_of(node.operation, of, count, node.facts, reach);
       all.valid = all.valid && slopes_fit(node.table) && table_fits(node.operation, node.table);
+      if constexpr (takes_parameter_of<T>) all.valid = all.valid && node.operation.slot < kParameterLimit;
       return all;
     }
   }
   static constexpr Budget budget(const Node& node) { return Operands::budget(node.operands) + cortex_m4_cost(node.operation); }
   static constexpr uint32_t slot_count(const Node& node) { return Operands::slot_count(node.operands); }
+  static constexpr uint32_t parameter_count(const Node& node) {
+    const uint32_t of_operands = Operands::parameter_count(node.operands);
+    if constexpr (takes_parameter_of<T>) return greatest_of_two(of_operands, parameter_slots_up_to(node.operation.slot));
+    else return of_operands;
+  }
 
  private:
-  static constexpr Highest<S> combined_highest(const Node& node, const Highest<S>* of, const Ball<S>& ball) {
+  static constexpr Highest<S> combined_highest(const Node& node, const Highest<S>* of, const Ball<S>& ball,
+                                               [[maybe_unused]] const Slots<S>& slots) {
     static_assert(count <= 2, "greatest values in a ball are of one or two operands");
     const T& operation = node.operation;
+    if constexpr (takes_parameter_of<T>) {
+      const S parameter = slots.parameters[operation.slot];
+      if constexpr (count == 1) return operation.highest(of[0], ball, parameter);
+      else return operation.highest(of[0], of[1], ball, parameter);
+    } else
     if constexpr (count == 1 && uses_table<T>) return operation.highest(of[0], ball, node.table);
     else if constexpr (count == 1) return operation.highest(of[0], ball);
     else if constexpr (uses_table<T>) return operation.highest(of[0], of[1], ball, node.table);
     else return operation.highest(of[0], of[1], ball);
   }
-  template <class Out> static constexpr Out combined(const Node& node, const Out* of) {
+  template <class Out>
+  static constexpr Out combined(const Node& node, const Out* of, [[maybe_unused]] const Slots<S>& slots) {
     const T& operation = node.operation;
-    if constexpr (operand_count_of<T> == kAnyNumber) {
+    if constexpr (takes_parameter_of<T>) {
+      const S parameter = slots.parameters[operation.slot];
+      if constexpr (count == 1) return operation.combine(of[0], parameter);
+      else return operation.combine(of[0], of[1], parameter);
+    } else if constexpr (operand_count_of<T> == kAnyNumber) {
       if constexpr (uses_table<T>) return operation.template combine_all<Out>(of, node.table);
       else return operation.template combine_all<Out>(of);
     } else if constexpr (count == 1) {
@@ -174,13 +200,13 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
 template <class A> struct NodeTraits<Placed<A>> {
   using Node = Placed<A>;
   using S = typename Node::Scalar;
-  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Pose<S>* slots) {
+  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
     Out out = NodeTraits<A>::template evaluate<Out>(node.a, to_inner(node.pose, p), slots);
     if constexpr (Out::has_gradient) out.gradient = rotate(node.pose.rotation, out.gradient);
     return out;
   }
   static constexpr bool has_highest = NodeTraits<A>::has_highest;
-  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Pose<S>* slots) {
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
     return NodeTraits<A>::highest(node.a, to_inner(node.pose, p),
                                   inner_ball(ball, node.pose.translation, PoseOrigin::constant), slots);
   }
@@ -195,16 +221,17 @@ template <class A> struct NodeTraits<Placed<A>> {
     return NodeTraits<A>::budget(node.a) + cortex_m4_cost(Operation::enter_pose) + cortex_m4_cost(Operation::leave);
   }
   static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
+  static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
 };
 
 template <class A> struct NodeTraits<InBox<A>> {
   using Node = InBox<A>;
   using S = typename Node::Scalar;
-  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Pose<S>* slots) {
+  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
     return node.box.at(p, NodeTraits<A>::template evaluate<Out>(node.a, node.box.nearest_inside(p), slots));
   }
   static constexpr bool has_highest = NodeTraits<A>::has_highest;
-  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>&, const Pose<S>* slots) {
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>&, const Slots<S>& slots) {
     return evaluate<Highest<S>>(node, p, slots);
   }
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
@@ -214,20 +241,21 @@ template <class A> struct NodeTraits<InBox<A>> {
     return NodeTraits<A>::budget(node.a) + cortex_m4_cost(Operation::enter_box) + cortex_m4_cost(Operation::leave_box);
   }
   static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
+  static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
 };
 
 template <class A> struct NodeTraits<InSlot<A>> {
   using Node = InSlot<A>;
   using S = typename Node::Scalar;
-  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Pose<S>* slots) {
-    const Pose<S>& pose = slots[node.slot];
+  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
+    const Pose<S>& pose = slots.poses[node.slot];
     Out out = NodeTraits<A>::template evaluate<Out>(node.a, to_inner(pose, p), slots);
     if constexpr (Out::has_gradient) out.gradient = rotate(pose.rotation, out.gradient);
     return out;
   }
   static constexpr bool has_highest = NodeTraits<A>::has_highest;
-  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Pose<S>* slots) {
-    const Pose<S>& pose = slots[node.slot];
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
+    const Pose<S>& pose = slots.poses[node.slot];
     return NodeTraits<A>::highest(node.a, to_inner(pose, p), inner_ball(ball, pose.translation, PoseOrigin::run_time),
                                   slots);
   }
@@ -245,6 +273,7 @@ template <class A> struct NodeTraits<InSlot<A>> {
   static constexpr uint32_t slot_count(const Node& node) {
     return greatest_of_two(node.slot < kSlotLimit ? node.slot + 1 : kSlotLimit, NodeTraits<A>::slot_count(node.a));
   }
+  static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
 };
 
 constexpr NodeList<> list() { return {}; }
@@ -362,23 +391,25 @@ template <class Node> class Field {
 
   constexpr explicit Field(const Node& node)
       : node_(node), certificate_(certify(node)), slot_count_(detail::NodeTraits<Node>::slot_count(node)),
+        parameter_count_(detail::NodeTraits<Node>::parameter_count(node)),
         budget_(kCortexM4QueryCost + detail::NodeTraits<Node>::budget(node) +
-                Budget{0, slot_count_ * kCortexM4PoseCheckCost}) {}
+                Budget{0, slot_count_ * kCortexM4PoseCheckCost + parameter_count_ * kCortexM4ParameterCheckCost}) {}
 
   constexpr bool valid() const { return certificate_.valid; }
   static constexpr Kind kind() { return Node::kind; }
   constexpr const Certificate<Scalar>& certificate() const { return certificate_; }
   constexpr Budget budget() const { return budget_; }
   constexpr uint32_t slot_count() const { return slot_count_; }
+  constexpr uint32_t parameter_count() const { return parameter_count_; }
 
-  template <class Out> constexpr Out evaluate(const Vector3<Scalar>& p, const Pose<Scalar>* slots) const {
+  template <class Out> constexpr Out evaluate(const Vector3<Scalar>& p, const Slots<Scalar>& slots) const {
     return detail::NodeTraits<Node>::template evaluate<Out>(node_, p, slots);
   }
 
   // Of an intensity: whether highest() tells anything.
   static constexpr bool has_highest() { return kind() == Kind::intensity && detail::NodeTraits<Node>::has_highest; }
   // Nowhere within `radius` metres of p is the intensity greater than this and certificate().error together.
-  constexpr Highest<Scalar> highest(const Vector3<Scalar>& p, Scalar radius, const Pose<Scalar>* slots) const {
+  constexpr Highest<Scalar> highest(const Vector3<Scalar>& p, Scalar radius, const Slots<Scalar>& slots) const {
     return detail::NodeTraits<Node>::highest(node_, p, Ball<Scalar>{radius, domain_reach<Scalar>().radius}, slots);
   }
 
@@ -390,6 +421,7 @@ template <class Node> class Field {
   Node node_;
   Certificate<Scalar> certificate_;
   uint32_t slot_count_;
+  uint32_t parameter_count_;
   Budget budget_;
 };
 

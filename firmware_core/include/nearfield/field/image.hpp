@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nearfield/field/budget.hpp>
+#include <nearfield/field/slots.hpp>
 
 namespace nearfield {
 
@@ -84,6 +85,7 @@ template <class S> struct Inspection {
   int stack_depth = 0;
   int frame_depth = 0;
   uint32_t slot_count = 0;
+  uint32_t parameter_count = 0;
   Certificate<S> boxed;     // of the last algebraic field in a declared box; not valid if there was none
   bool has_highest = true;  // of an intensity: whether its greatest value in a ball can be told
 };
@@ -121,7 +123,8 @@ template <class S, class Operations> class Inspector {
     if (result_.status != LoadStatus::ok) return result_;
     if (frames_ != 0) return fail(LoadStatus::frames_unbalanced);
     if (stack_ != 1) return fail(LoadStatus::kind_mismatch);
-    result_.budget.gradient += result_.slot_count * kCortexM4PoseCheckCost;
+    result_.budget.gradient +=
+        result_.slot_count * kCortexM4PoseCheckCost + result_.parameter_count * kCortexM4ParameterCheckCost;
     result_.kind = kinds_[0];
     result_.certificate = certificates_[0];
     if (!result_.certificate.valid) return fail(LoadStatus::parameter_out_of_range);
@@ -188,6 +191,13 @@ template <class S, class Operations> class Inspector {
         fail(LoadStatus::bad_table);
         return;
       }
+    }
+    if constexpr (takes_parameter_of<T>) {
+      if (operation.slot >= kParameterLimit) {
+        fail(LoadStatus::parameter_out_of_range);
+        return;
+      }
+      if (operation.slot >= result_.parameter_count) result_.parameter_count = operation.slot + 1;
     }
     result_.budget = result_.budget + cortex_m4_cost(operation);
     result_.has_highest = result_.has_highest && passes_highest<T>;

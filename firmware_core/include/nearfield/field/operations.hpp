@@ -14,6 +14,7 @@
 #include <nearfield/modify/declared_box.hpp>
 #include <nearfield/modify/frame.hpp>
 #include <nearfield/modify/influence.hpp>
+#include <nearfield/modify/parameter.hpp>
 #include <nearfield/modify/potential.hpp>
 #include <nearfield/shape/algebraic.hpp>
 #include <nearfield/shape/box.hpp>
@@ -35,7 +36,7 @@ namespace nearfield {
   X(0x01, sphere, Sphere, 129, 193)                                               \
   X(0x02, capsule, Capsule, 181, 244)                                             \
   X(0x03, box, Box, 183, 274)                                                     \
-  X(0x04, cylinder, Cylinder, 238, 364)                                           \
+  X(0x04, cylinder, Cylinder, 238, 388)                                           \
   X(0x05, soft_point, SoftPoint, 138, 286)                                        \
   X(0x06, soft_segment, SoftSegment, 204, 349)                                    \
   X(0x07, sharp_union, SharpUnion, 24, 30)                                        \
@@ -75,7 +76,12 @@ namespace nearfield {
   X(0x2c, ribbon_patch, RibbonPatch, 540, 716)                                    \
   X(0x2d, corner_patch, CornerPatch, 792, 272)                                    \
   X(0x2e, algebraic_union, AlgebraicUnion, 24, 30)                                \
-  X(0x2f, algebraic_intersection, AlgebraicIntersection, 25, 31)
+  X(0x2f, algebraic_intersection, AlgebraicIntersection, 25, 31)                  \
+  X(0x44, morph, Morph, 31, 66)                                                   \
+  X(0x45, intensity_morph, IntensityMorph, 31, 66)                                \
+  X(0x46, ray_morph, RayMorph, 31, 66)                                            \
+  X(0x47, swell, Swell, 28, 33)                                                   \
+  X(0x48, fade, Fade, 23, 43)
 
 // What each item adds to that, of operations with any number of items: operands where their number is any, otherwise
 // what the payload's item_count() counts.

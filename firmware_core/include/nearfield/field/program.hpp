@@ -37,15 +37,16 @@ template <class S, class Operations = AllOperations> class Program {
   constexpr const Certificate<S>& certificate() const { return inspection_.certificate; }
   constexpr Budget budget() const { return inspection_.budget; }
   constexpr uint32_t slot_count() const { return inspection_.slot_count; }
+  constexpr uint32_t parameter_count() const { return inspection_.parameter_count; }
 
-  // Precondition: status ok, p within the domain, slot_count() valid poses in `slots` (null if there are none).
-  template <class Out> Out evaluate(const Vector3<S>& p, const Pose<S>* slots) const;
+  // Precondition: status ok, p within the domain, slot_count() valid poses and parameter_count() parameters in `slots`.
+  template <class Out> Out evaluate(const Vector3<S>& p, const Slots<S>& slots) const;
 
   // Of an intensity: whether highest() tells anything.
   constexpr bool has_highest() const { return kind() == Kind::intensity && inspection_.has_highest; }
   // Nowhere within `radius` metres of p is the intensity greater than this and certificate().error together.
   // Preconditions as above.
-  Highest<S> highest(const Vector3<S>& p, S radius, const Pose<S>* slots) const;
+  Highest<S> highest(const Vector3<S>& p, S radius, const Slots<S>& slots) const;
 
  private:
   // Results that lie in the stack as plain words.
@@ -60,7 +61,7 @@ template <class S, class Operations = AllOperations> class Program {
     static constexpr bool finds_highest = !__is_empty(detail::BallOfMachine<Out>);
     static constexpr uint32_t result_words = payload_words<Out>, point_words = payload_words<Vector3<S>>;
 
-    Machine(const Vector3<S>& p, const Pose<S>* poses) : point(p), slots(poses) {}
+    Machine(const Vector3<S>& p, const Slots<S>& given) : point(p), slots(given.poses), parameters(given.parameters) {}
 
     void push(const Out& result) {
       store(below + depth * result_words, top);
@@ -110,6 +111,7 @@ template <class S, class Operations = AllOperations> class Program {
 
     Vector3<S> point;
     const Pose<S>* slots;
+    const S* parameters;
     Out top;
     uint32_t depth = 0, frame_depth = 0;
     // One more than the depth that validation allows: the first push saves a result that nobody asks for.
@@ -138,6 +140,10 @@ template <class S, class Operations = AllOperations> class Program {
       find_highest(m, operation, payload);
     } else if constexpr (count == kAnyNumber) {
       operate_on_all<T>(m, operation, payload);
+    } else if constexpr (detail::takes_parameter_of<T>) {
+      const S parameter = m.parameters[operation.slot];
+      if constexpr (count == 1) m.top = operation.combine(m.top, parameter);
+      else m.top = operation.combine(m.pop_below(), m.top, parameter);
     } else if constexpr (detail::uses_table<T>) {
       const TableView<S> view = table(payload[payload_words<T>]);
       if constexpr (count == 0) m.push(operation.template evaluate<Out>(m.point, view));
@@ -152,7 +158,11 @@ template <class S, class Operations = AllOperations> class Program {
   template <class T, class Out> void find_highest(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
     constexpr int count = detail::operand_count_of<T>;
     static_assert(count >= 0 && count <= 2, "greatest values in a ball are of at most two operands");
-    if constexpr (detail::uses_table<T>) {
+    if constexpr (detail::takes_parameter_of<T>) {
+      const S parameter = m.parameters[operation.slot];
+      if constexpr (count == 1) m.top = operation.highest(m.top, m.ball, parameter);
+      else m.top = operation.highest(m.pop_below(), m.top, m.ball, parameter);
+    } else if constexpr (detail::uses_table<T>) {
       const TableView<S> view = table(payload[payload_words<T>]);
       if constexpr (count == 0) m.push(operation.highest(m.point, m.ball, view));
       else if constexpr (count == 1) m.top = operation.highest(m.top, m.ball, view);
@@ -213,7 +223,7 @@ template <class S, class Operations = AllOperations> class Program {
 
 template <class S, class Operations>
 template <class Out>
-Out Program<S, Operations>::evaluate(const Vector3<S>& p, const Pose<S>* slots) const {
+Out Program<S, Operations>::evaluate(const Vector3<S>& p, const Slots<S>& slots) const {
   Machine<Out> machine(p, slots);
   for (const uint32_t *at = image_ + first_, *last = image_ + last_; at != last;) {
     const uint32_t word = *at++;
@@ -225,7 +235,7 @@ Out Program<S, Operations>::evaluate(const Vector3<S>& p, const Pose<S>* slots) 
 
 // A loop of its own: sharing it with evaluate() would change the code of that.
 template <class S, class Operations>
-Highest<S> Program<S, Operations>::highest(const Vector3<S>& p, S radius, const Pose<S>* slots) const {
+Highest<S> Program<S, Operations>::highest(const Vector3<S>& p, S radius, const Slots<S>& slots) const {
   Machine<Highest<S>> machine(p, slots);
   machine.ball = {radius, domain_reach<S>().radius};
   for (const uint32_t *at = image_ + first_, *last = image_ + last_; at != last;) {
@@ -249,9 +259,9 @@ template <class S, class Operations = AllOperations> Program<S, Operations> load
 // everywhere else: each scalar once by NEARFIELD_PROGRAMS(, Scalar) in one source, NEARFIELD_PROGRAMS(extern, Scalar) before
 // the first use in all others.
 #define NEARFIELD_PROGRAMS(extern_or_nothing, S)                                                                        \
-  extern_or_nothing template Value<S> Program<S>::evaluate<Value<S>>(const Vector3<S>&, const Pose<S>*) const;          \
-  extern_or_nothing template Sample<S> Program<S>::evaluate<Sample<S>>(const Vector3<S>&, const Pose<S>*) const;        \
-  extern_or_nothing template Highest<S> Program<S>::highest(const Vector3<S>&, S, const Pose<S>*) const;                \
+  extern_or_nothing template Value<S> Program<S>::evaluate<Value<S>>(const Vector3<S>&, const Slots<S>&) const;         \
+  extern_or_nothing template Sample<S> Program<S>::evaluate<Sample<S>>(const Vector3<S>&, const Slots<S>&) const;       \
+  extern_or_nothing template Highest<S> Program<S>::highest(const Vector3<S>&, S, const Slots<S>&) const;               \
   extern_or_nothing template Inspection<S> detail::inspect_operations_at_run_time<S, AllOperations>(const uint32_t*,    \
                                                                                                     uint32_t, uint32_t);
 #ifdef NEARFIELD_PROGRAMS_COMPILED_ONCE

@@ -153,7 +153,7 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   constexpr void repel(const Vector3<S>& tool, const Pose<S>* person_poses, ArmTick<S>& out) const {
     if (soft == nullptr || !soft->valid() || soft->kind() != Kind::intensity || !coordinates_in_domain(tool)) return;
     const uint32_t poses = person == nullptr ? 0u : person->link_count();
-    if (soft->slot_count() > poses) return;  // those there are come from link_poses(), and are valid
+    if (soft->slot_count() > poses || soft->parameter_count() != 0) return;  // those there are come from link_poses(), and are valid
     const Sample<S> sample = soft->template evaluate<Sample<S>>(tool, person_poses);
     out.intensity = sample.value;
     out.repulsion = -polar<S>(sample.gradient).direction;

@@ -59,7 +59,7 @@ template <class S> constexpr S free_around_segment(S first, S second, S apart) {
 template <class AnyField, class S> class CapsuleSweep {
  public:
   constexpr CapsuleSweep(const AnyField& field, const MovedCapsule<S>* capsules, Stretch<S>* stretches,
-                         const Pose<S>* slots)
+                         const Slots<S>& slots)
       : field_(field), certifier_(field.certificate()), capsules_(capsules), stretches_(stretches), slots_(slots) {}
 
   // One evaluation, in the middle of each capsule: a ball of free space that holds the whole axis.
@@ -139,7 +139,7 @@ template <class AnyField, class S> class CapsuleSweep {
   const Certifier<S> certifier_;
   const MovedCapsule<S>* capsules_;
   Stretch<S>* stretches_;
-  const Pose<S>* slots_;
+  const Slots<S>& slots_;
   int count_ = 0, weakest_ = 0;
   S least_attained_{}, nearest_place_{};
   uint16_t nearest_capsule_ = 0;
@@ -161,15 +161,13 @@ template <class AnyField, class S = typename AnyField::Scalar>
 constexpr NearestCapsule<S> clearance(const AnyField& field, const MovedCapsule<typename AnyField::Scalar>* capsules,
                                       uint16_t count, Stretch<typename AnyField::Scalar>* stretches,
                                       SweepEffort<typename AnyField::Scalar> effort,
-                                      const Pose<typename AnyField::Scalar>* slots = nullptr, uint32_t slot_count = 0) {
+                                      const Slots<typename AnyField::Scalar>& slots = {}) {
   NearestCapsule<S> invalid;
-  if (count == 0 || !detail::valid_poses(slots, field.slot_count() < slot_count ? field.slot_count() : slot_count)) {
-    return invalid;
-  }
+  if (count == 0 || (detail::slots_given(field, slots) && !detail::valid_slots(field, slots))) return invalid;
   for (uint16_t i = 0; i < count; ++i) {
     const Capsule<S>& c = capsules[i].capsule;
     invalid.number = capsules[i].number;
-    if (!detail::may_be_asked(field, c.from, slots, slot_count) || !detail::in_domain(c) || !(capsules[i].error >= S{})) {
+    if (!detail::may_be_asked(field, c.from, slots) || !detail::in_domain(c) || !(capsules[i].error >= S{})) {
       return invalid;
     }
   }
@@ -183,10 +181,10 @@ constexpr NearestCapsule<S> clearance(const AnyField& field, const MovedCapsule<
 template <class AnyField, class S = typename AnyField::Scalar>
 constexpr Clearance<S> clearance(const AnyField& field, const Capsule<typename AnyField::Scalar>& capsule,
                                  typename AnyField::Scalar error, SweepEffort<typename AnyField::Scalar> effort,
-                                 const Pose<typename AnyField::Scalar>* slots = nullptr, uint32_t slot_count = 0) {
+                                 const Slots<typename AnyField::Scalar>& slots = {}) {
   const MovedCapsule<S> moved = {capsule, error, 0};
   Stretch<S> stretches[kMostRefinements + 1] = {};
-  return clearance(field, &moved, 1, stretches, effort, slots, slot_count).clearance;
+  return clearance(field, &moved, 1, stretches, effort, slots).clearance;
 }
 
 }  // namespace nearfield

@@ -55,11 +55,20 @@ template <class S> class Certifier {
   Fixed<30> inverse_lipschitz_;
 };
 
+// Whether a field has the slots that it asks for; they may still be bad.
+template <class AnyField, class S> constexpr bool slots_given(const AnyField& field, const Slots<S>& slots) {
+  return field.slot_count() <= slots.pose_count && (field.slot_count() == 0 || slots.poses != nullptr) &&
+         field.parameter_count() <= slots.parameter_count && (field.parameter_count() == 0 || slots.parameters != nullptr);
+}
+// False for a static field of another kind; programs tell at run time.
+template <class AnyField> inline constexpr bool may_be_distance = true;
+template <class Node> inline constexpr bool may_be_distance<Field<Node>> = Node::kind == Kind::distance;
+
 template <class AnyField, class S>
-constexpr bool may_be_asked(const AnyField& field, const Vector3<S>& p, const Pose<S>* slots, uint32_t slot_count) {
-  if (!field.valid() || field.kind() != Kind::distance || field.slot_count() > slot_count) return false;
-  if (field.slot_count() != 0 && slots == nullptr) return false;
-  return coordinates_in_domain(p);
+constexpr bool may_be_asked(const AnyField& field, const Vector3<S>& p, const Slots<S>& slots) {
+  static_assert(may_be_distance<AnyField>,
+                "only distances have a clearance: declare a box for an algebraic field, ask soft_clearance() of intensities");
+  return field.valid() && field.kind() == Kind::distance && slots_given(field, slots) && coordinates_in_domain(p);
 }
 
 // Both ends of a capsule within the domain, its axis as a pose may have turned it.
@@ -67,10 +76,13 @@ template <class S> constexpr bool in_domain(const Capsule<S>& c) {
   return c.valid(Capsule<S>::kMovedAxisSlack) && coordinates_in_domain(add_in_range(c.from, c.along(c.length)));
 }
 
-template <class S> constexpr bool valid_poses(const Pose<S>* slots, uint32_t count) {
-  if (slots == nullptr) return count == 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    if (!valid_pose(slots[i])) return false;
+// Of a field's slots that are given. False for NaN.
+template <class AnyField, class S> constexpr bool valid_slots(const AnyField& field, const Slots<S>& slots) {
+  for (uint32_t i = 0; i < field.slot_count(); ++i) {
+    if (!valid_pose(slots.poses[i])) return false;
+  }
+  for (uint32_t i = 0; i < field.parameter_count(); ++i) {
+    if (!within(slots.parameters[i], S{}, ScalarTraits<S>::one())) return false;
   }
   return true;
 }
@@ -78,19 +90,25 @@ template <class S> constexpr bool valid_poses(const Pose<S>* slots, uint32_t cou
 }  // namespace detail
 
 // Clearance of a point (metres, field frame, |coordinates| within ScalarTraits<S>::domain()) to a distance field: a
-// Field from compose.hpp or a Program. `slots`: the poses of the field's slots; each is checked.
+// Field from compose.hpp or a Program. `slots`: those of the field, all of which are checked.
 // Cost: at most field.budget().gradient.
 template <class AnyField, class S = typename AnyField::Scalar>
 constexpr Clearance<S> clearance(const AnyField& field, const Vector3<typename AnyField::Scalar>& p,
-                                 const Pose<typename AnyField::Scalar>* slots = nullptr, uint32_t slot_count = 0) {
+                                 const Slots<typename AnyField::Scalar>& slots = {}) {
   Clearance<S> answer;
-  if (!detail::may_be_asked(field, p, slots, slot_count) || !detail::valid_poses(slots, field.slot_count())) return answer;
+  if (!detail::may_be_asked(field, p, slots) || !detail::valid_slots(field, slots)) return answer;
   const Sample<S> sample = field.template evaluate<Sample<S>>(p, slots);
   const detail::Certifier<S> certifier(field.certificate());
   answer.distance = certifier.lower_bound(sample.value);
   answer.status = certifier.status(sample.value, answer.distance);
   answer.direction = sample.gradient;
   return answer;
+}
+// The same of a field with poses alone.
+template <class AnyField, class S = typename AnyField::Scalar>
+constexpr Clearance<S> clearance(const AnyField& field, const Vector3<typename AnyField::Scalar>& p,
+                                 const Pose<typename AnyField::Scalar>* poses, uint32_t pose_count) {
+  return clearance(field, p, Slots<S>(poses, pose_count));
 }
 
 }  // namespace nearfield

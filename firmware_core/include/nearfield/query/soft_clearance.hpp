@@ -23,11 +23,10 @@ template <class S> constexpr S soft_clearance_radius(uint32_t code) {
 }
 
 template <class AnyField, class S>
-constexpr bool may_be_asked_softly(const AnyField& field, const Vector3<S>& p, const Pose<S>* slots,
-                                   uint32_t slot_count) {
-  if (!field.valid() || !field.has_highest() || field.slot_count() > slot_count) return false;
-  if (!(field.certificate().error < ScalarTraits<S>::half(ScalarTraits<S>::one()))) return false;
-  return coordinates_in_domain(p) && valid_poses(slots, field.slot_count());
+constexpr bool may_be_asked_softly(const AnyField& field, const Vector3<S>& p, const Slots<S>& slots) {
+  return field.valid() && field.has_highest() && slots_given(field, slots) &&
+         field.certificate().error < ScalarTraits<S>::half(ScalarTraits<S>::one()) && coordinates_in_domain(p) &&
+         valid_slots(field, slots);
 }
 
 }  // namespace detail
@@ -48,10 +47,10 @@ template <class AnyField> constexpr uint32_t soft_clearance_budget(const AnyFiel
 // Cost: at most soft_clearance_budget().
 template <class AnyField, class S = typename AnyField::Scalar>
 constexpr Clearance<S> soft_clearance(const AnyField& field, const Vector3<typename AnyField::Scalar>& p,
-                                      const Pose<typename AnyField::Scalar>* slots = nullptr, uint32_t slot_count = 0) {
+                                      const Slots<typename AnyField::Scalar>& slots = {}) {
   using T = ScalarTraits<S>;
   Clearance<S> answer;
-  if (!detail::may_be_asked_softly(field, p, slots, slot_count)) return answer;
+  if (!detail::may_be_asked_softly(field, p, slots)) return answer;
   const Sample<S> sample = field.template evaluate<Sample<S>>(p, slots);
   const S surface = T::half(T::one()), error = field.certificate().error;
   answer.direction = -direction_of<S>(sample.gradient);
@@ -67,6 +66,12 @@ constexpr Clearance<S> soft_clearance(const AnyField& field, const Vector3<typen
   answer.distance = detail::soft_clearance_radius<S>(code);
   answer.status = answer.distance > S{} ? ClearanceStatus::clear : ClearanceStatus::undecided;
   return answer;
+}
+
+template <class AnyField, class S = typename AnyField::Scalar>
+constexpr Clearance<S> soft_clearance(const AnyField& field, const Vector3<typename AnyField::Scalar>& p,
+                                      const Pose<typename AnyField::Scalar>* poses, uint32_t pose_count) {
+  return soft_clearance(field, p, Slots<S>(poses, pose_count));
 }
 
 }  // namespace nearfield

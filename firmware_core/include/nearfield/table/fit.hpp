@@ -129,9 +129,17 @@ constexpr int compared_steps(int segments) {
 
 // Where a function may have kinks or jumps of a derivative, in [0, 1], ascending.
 struct Breaks {
-  static constexpr int greatest_count = 16;
+  static constexpr int greatest_count = 40;
   int count = 0;
   double places[greatest_count] = {};
+
+  // In order; not what is outside.
+  constexpr void add(double place) {
+    if (!(place > 0.0 && place < 1.0) || count == greatest_count) return;
+    int i = count++;
+    for (; i > 0 && places[i - 1] > place; --i) places[i] = places[i - 1];
+    places[i] = place;
+  }
 };
 template <class Function> constexpr auto breaks_of(const Function& f, int) -> decltype(f.breaks()) { return f.breaks(); }
 template <class Function> constexpr Breaks breaks_of(const Function&, long) { return {}; }
