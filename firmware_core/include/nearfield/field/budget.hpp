@@ -56,6 +56,6 @@ inline constexpr Budget kCortexM4QueryCost = {28, 225};
 // What a query with gradient adds for checking each pose that it is handed.
 inline constexpr uint32_t kCortexM4PoseCheckCost = 380;
 // The same for each parameter.
-inline constexpr uint32_t kCortexM4ParameterCheckCost = 12;
+inline constexpr uint32_t kCortexM4ParameterCheckCost = 8;
 
 }  // namespace nearfield
