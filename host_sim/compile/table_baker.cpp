@@ -12,7 +12,7 @@ constexpr double sought_error = 1.0 / 8388608.0;
 constexpr int greatest_image_headroom = 3;
 
 template <class S>
-ImageTable<S> bake_with(const TableFunction& function, int index_bits) {
+ImageTable bake_with(const TableFunction& function, int index_bits) {
   const TableShape shape{3, 1 << index_bits, 32, false};
   std::vector<detail::SegmentEnds> ends;
   detail::PolynomialBounds bounds;
@@ -23,10 +23,9 @@ ImageTable<S> bake_with(const TableFunction& function, int index_bits) {
   }
   const detail::ScaleChoice choice =
       detail::choose_scale(shape, bounds, std::min(index_bits, greatest_image_headroom));
-  ImageTable<S> table;
+  ImageTable table;
   table.index_bits = index_bits;
   table.slope_headroom = choice.scale.slope_headroom;
-  table.range = S(static_cast<S>(function.range));
   table.coefficients.resize(4 * ends.size());
   detail::Deviation worst;
   detail::KnotAim aim;
@@ -64,25 +63,21 @@ TableFunction potential_over_square(const ConfiguredCurve& potential) {
 }
 
 template <class S>
-ImageTable<S> bake_table(const TableFunction& function) {
+ImageTable bake_table(const TableFunction& function) {
   const double rounding = ScalarTraits<S>::is_fixed ? 0.0 : 1.0 / 4194304.0;
   const auto limit = static_cast<std::int32_t>((sought_error + rounding) * 1073741824.0);
-  ImageTable<S> best;
+  ImageTable best;
   for (int index_bits = 0; index_bits <= static_cast<int>(image_format::greatest_index_bits); ++index_bits) {
-    ImageTable<S> table = bake_with<S>(function, index_bits);
+    ImageTable table = bake_with<S>(function, index_bits);
     if (index_bits == 0 || table.facts.error < best.facts.error) best = std::move(table);
     if (best.facts.error <= limit) break;
   }
   return best;
 }
 
-#define NEARFIELD_INSTANTIATE(S) \
-  template struct ImageTable<S>; \
-  template ImageTable<S> bake_table<S>(const TableFunction&);
-NEARFIELD_INSTANTIATE(Fixed<27>)
-NEARFIELD_INSTANTIATE(Fixed<24>)
-NEARFIELD_INSTANTIATE(Fixed<16>)
-NEARFIELD_INSTANTIATE(float)
-#undef NEARFIELD_INSTANTIATE
+template ImageTable bake_table<Fixed<27>>(const TableFunction&);
+template ImageTable bake_table<Fixed<24>>(const TableFunction&);
+template ImageTable bake_table<Fixed<16>>(const TableFunction&);
+template ImageTable bake_table<float>(const TableFunction&);
 
 }  // namespace nearfield::host

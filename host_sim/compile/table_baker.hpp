@@ -43,11 +43,9 @@ TableFunction profile_function(std::string identity, const Profile& profile) {
 }
 
 // A table as an image holds it: cubic, coefficients of 32 bits, a power of two of segments.
-template <class S>
 struct ImageTable {
   int index_bits = 0;
   int slope_headroom = 0;
-  S range{};
   TableFacts facts;
   std::vector<std::uint32_t> coefficients;
 
@@ -56,8 +54,9 @@ struct ImageTable {
 };
 
 // The table of the fewest segments, a power of two up to 256, that errs by at most 2^-23 of the function's
-// unit (float: 2^-22 more, the kernel's own rounding); if there is none, the one that errs least.
+// unit (float: 2^-22 more, the kernel's own rounding); if there is none, the one that errs least. S: the
+// scalar of the fields that sample it.
 template <class S>
-ImageTable<S> bake_table(const TableFunction& function);
+ImageTable bake_table(const TableFunction& function);
 
 }  // namespace nearfield::host

@@ -25,7 +25,8 @@ struct FieldNode {
   std::map<std::string, ConfiguredCurve> curves;          // every one of the operator
   std::vector<FieldNode> operands;
   SourcePosition position;
-  std::string path;  // e.g. `field.operands[2]`
+  std::map<std::string, SourcePosition> given;  // where the values of the keys stand that the node has
+  std::string path;                             // e.g. `field.operands[2]`
 
   // A parameter that is one number. std::out_of_range when the operator has none of that key.
   double number(const std::string& key) const { return parameters.at(key).front(); }
@@ -33,6 +34,20 @@ struct FieldNode {
   Vector3d vector(const std::string& key) const {
     const std::vector<double>& numbers = parameters.at(key);
     return {numbers.at(0), numbers.at(1), numbers.at(2)};
+  }
+  // A parameter that is one or several points.
+  std::vector<Vector3d> points(const std::string& key) const {
+    const std::vector<double>& numbers = parameters.at(key);
+    std::vector<Vector3d> points;
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+      points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    }
+    return points;
+  }
+  // Where to point at for a key: its value, or the node when it has none.
+  SourcePosition place_of(const std::string& key) const {
+    const auto found = given.find(key);
+    return found != given.end() ? found->second : position;
   }
 };
 

@@ -69,6 +69,10 @@ std::vector<std::string_view> allowed_keys(const OperatorDescription& descriptio
 
 std::string expectation(const ParameterDescription& parameter) {
   const std::string range = describe(parameter.range);
+  if (parameter.most_points > 0) {
+    return "1 to " + std::to_string(parameter.most_points) + " arrays of " + std::to_string(parameter.count) +
+           " numbers " + range;
+  }
   if (parameter.most > 0) {
     return std::to_string(parameter.count) + " to " + std::to_string(parameter.most) + " numbers " + range;
   }
@@ -90,7 +94,15 @@ void read_parameters(const JsonNode& node, FieldNode& field) {
       continue;
     }
     const JsonNode value = node.required(parameter.key, expectation(parameter));
-    if (parameter.most > 0) {
+    for (const std::string_view other : parameter.instead_of) {
+      if (!node.has(other)) continue;
+      value.fail(in_quotes(parameter.key) + " beside " + in_quotes(other), "one of them, not both");
+    }
+    if (parameter.most_points > 0) {
+      for (const JsonNode& point : value.elements(1, parameter.most_points)) {
+        for (const double number : point.numbers(parameter.count, parameter.range)) values.push_back(number);
+      }
+    } else if (parameter.most > 0) {
       for (const JsonNode& element : value.elements(parameter.count, parameter.most)) {
         values.push_back(read_number(element, parameter));
       }
@@ -161,6 +173,7 @@ FieldNode read_node(const JsonNode& node, std::optional<FieldKind> wanted, bool 
   node.reject_unknown_keys(allowed_keys(description));
   field.position = node.position();
   field.path = node.path();
+  for (const auto& [key, value] : node.members()) field.given[key] = value.position();
   if (const auto name = node.optional("name")) field.name = name->string(longest_name);
   read_parameters(node, field);
   check_ratios(node, field);

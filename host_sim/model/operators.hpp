@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -23,15 +24,27 @@ struct RatioRule {
   double highest = 0.0;
 };
 
+// What each number of a parameter must be once it is rounded to a number type; see compile/scalar_limits.hpp.
+enum class Fit : std::uint8_t {
+  any,       // it has no more limits than its range, or its operator checks it with others
+  number,    // within the type's domain
+  not_zero,  // the same, and not 0
+  length,    // the same, and above 0
+  edge,      // twice a length
+};
+
 struct ParameterDescription {
   std::string_view key;
   std::size_t count = 1;                    // a number when 1, otherwise an array of so many
   NumberRange range;                        // of each number
   std::vector<double> default_values = {};  // empty: the parameter is required
   std::optional<RatioRule> ratio = {};
-  bool whole = false;     // whole numbers only
-  std::size_t most = 0;   // above 0: an array of `count` to so many numbers
-  bool optional = false;  // without a default: no values when it is missing
+  bool whole = false;           // whole numbers only
+  std::size_t most = 0;         // above 0: an array of `count` to so many numbers
+  bool optional = false;        // without a default: no values when it is missing
+  std::size_t most_points = 0;  // above 0: an array of 1 to so many arrays of `count` numbers
+  std::vector<std::string_view> instead_of = {};  // other parameters, which may not be given as well
+  Fit fit = Fit::any;
 };
 
 // A parameter that is one of several names; the first is the default.

@@ -5,8 +5,6 @@
 #include <nearfield/blend/log_sum_exp.hpp>
 #include <nearfield/curve/kernel.hpp>
 
-#include "compile/quantise.hpp"
-#include "compile/table_baker.hpp"
 #include "operators/sharp.hpp"
 
 namespace nearfield::host::operators {
@@ -14,30 +12,60 @@ namespace nearfield::host::operators {
 inline const CurveDescription step_curve{"step", CurveFamily::step, "polynomial3"};
 inline constexpr NumberRange rising_range{0.0, 64.0, "m", true};
 
-// Adds the blend of a kernel; `size` (m): what its argument's range is a multiple of. `key` names the
-// parameter to blame when no table can hold the kernel.
-template <SetOperation set_operation, Sides sides = Sides::alike, class Emitter>
-void add_additive(Emitter& emitter, const FieldNode& node, double size, const char* key,
-                  const TableFunction& kernel) {
-  using S = typename Emitter::Scalar;
-  const auto table = emitter.table(node, key, kernel);
-  Additive<S, set_operation, sides> blend;
-  blend.scale = ArgumentScale<S>::of(narrow<S>(product(quantise<S>(size), table.range)));
-  emitter.fold(node, [&] { emitter.operation(blend, table.reference); });
+// A kernel whose argument's range is `size` (m) times its own; `differ`: the table has a half for each side.
+struct AdditiveKernel {
+  double size = 0.0;
+  const char* key = "";  // to blame when no table holds it
+  TableFunction function;
+  bool differ = false;
+};
+
+// The kernel of a step: its sides differ when the step is not antisymmetric.
+template <class Kernel>
+AdditiveKernel kernel_of_step(const FieldNode& node, double size, const std::string& identity,
+                              const Kernel& kernel) {
+  if (node.curves.at("step").curve.facts().antisymmetric) {
+    return {size, "step", table_function(identity, kernel)};
+  }
+  return {size, "step", table_function("two-sided " + identity, two_sided(kernel)), true};
 }
 
-// The same for a kernel of a step: one whose sides differ when the step is not antisymmetric.
-template <SetOperation set_operation, class Emitter, class Kernel>
-void add_additive_of_step(Emitter& emitter, const FieldNode& node, double size, const std::string& identity,
-                          const Kernel& kernel) {
-  if (node.curves.at("step").curve.facts().antisymmetric) {
-    add_additive<set_operation>(emitter, node, size, "step", table_function(identity, kernel));
+template <SetOperation set_operation, Sides sides>
+void fold_additive(FieldEmitter& emitter, const FieldNode& node, const AdditiveKernel& kernel) {
+  const std::uint32_t table = emitter.table(node, kernel.key, kernel.function);
+  emitter.fold(node, [&] {
+    emitter.operation(
+        [&](auto zero) {
+          using S = decltype(zero);
+          Additive<S, set_operation, sides> blend;
+          const auto range = product(quantise<S>(kernel.size), quantise<S>(kernel.function.range));
+          blend.scale = ArgumentScale<S>::of(narrow<S>(range));
+          return blend;
+        },
+        table);
+  });
+}
+template <SetOperation set_operation>
+void add_additive(FieldEmitter& emitter, const FieldNode& node, const AdditiveKernel& kernel) {
+  if (kernel.differ) {
+    fold_additive<set_operation, Sides::differ>(emitter, node, kernel);
   } else {
-    add_additive<set_operation, Sides::differ>(emitter, node, size, "step",
-                                               table_function("two-sided " + identity, two_sided(kernel)));
+    fold_additive<set_operation, Sides::alike>(emitter, node, kernel);
   }
 }
 
+inline AdditiveKernel exterior_kernel(const FieldEmitter& emitter, const FieldNode& node) {
+  const ConfiguredCurve& step = node.curves.at("step");
+  const double radius = node.number("blend_radius"), rising = node.number("rising_range");
+  const double domain = emitter.limits().domain;
+  if (!(radius + rising <= domain)) {
+    emitter.refuse(node, "rising_range",
+                   emitter.misfit(rising) + " beside blend_radius " + format_number(radius),
+                   "together at most " + format_number(domain) + " m");
+  }
+  return kernel_of_step(node, radius, "exterior " + format_number(rising / radius) + " " + identity_of(step),
+                        exterior(step.curve, rising / radius));
+}
 template <SetOperation set_operation>
 struct ExteriorOperator {
   static OperatorDescription description() {
@@ -49,32 +77,36 @@ struct ExteriorOperator {
     description.curves = {step_curve};
     return description;
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    const ConfiguredCurve& step = node.curves.at("step");
-    const double ratio = node.number("rising_range") / node.number("blend_radius");
-    add_additive_of_step<set_operation>(emitter, node, node.number("blend_radius"),
-                                        "exterior " + format_number(ratio) + " " + identity_of(step),
-                                        exterior(step.curve, ratio));
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    add_additive<set_operation>(emitter, node, exterior_kernel(emitter, node));
   }
 };
 
+inline AdditiveKernel interior_kernel(const FieldNode& node) {
+  const ConfiguredCurve& step = node.curves.at("step");
+  return kernel_of_step(node, node.number("rising_range"), "interior " + identity_of(step),
+                        interior(step.curve));
+}
 template <SetOperation set_operation>
 struct InteriorOperator {
   static OperatorDescription description() {
     OperatorDescription description =
         blend(pick<set_operation>("interior_union", "interior_intersection", "interior_subtraction"),
-              FieldKind::distance, {{"rising_range", 1, size_range}});
+              FieldKind::distance, {required_size("rising_range")});
     description.curves = {step_curve};
     return description;
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    const ConfiguredCurve& step = node.curves.at("step");
-    add_additive_of_step<set_operation>(emitter, node, node.number("rising_range"),
-                                        "interior " + identity_of(step), interior(step.curve));
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    add_additive<set_operation>(emitter, node, interior_kernel(node));
   }
 };
+
+// The range of a log-sum-exp whose range times sharpness is given, in m.
+inline double log_sum_exp_range(const FieldEmitter& emitter, const FieldNode& node, double times_sharpness) {
+  const double sharpness = node.number("sharpness"), least = times_sharpness / emitter.limits().domain;
+  emitter.require(node, "sharpness", sharpness, {std::max(1.0, least), 1e5, "1/m"});
+  return times_sharpness / sharpness;
+}
 
 // Log-sum-exp with sharpness p: of two operands by a table of its own, of more by the operation that takes
 // any number of them; more than that takes are blended in groups, since it is associative.
@@ -85,23 +117,25 @@ struct LogSumExpOperator {
         pick<set_operation>("log_sum_exp_union", "log_sum_exp_intersection", "log_sum_exp_subtraction"),
         FieldKind::distance, {{"sharpness", 1, {1.0, 1e5, "1/m"}}});
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
-    using Blend = LogSumExp<S, set_operation>;
-    const double sharpness = node.number("sharpness");
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
     if (node.operands.size() == 2) {
-      return add_additive<set_operation>(emitter, node, LogSumExpKernel::range_times_sharpness / sharpness,
-                                         "sharpness", table_function("log-sum-exp", LogSumExpKernel{}));
+      const double range = log_sum_exp_range(emitter, node, LogSumExpKernel::range_times_sharpness);
+      return add_additive<set_operation>(
+          emitter, node, {range, "sharpness", table_function("log-sum-exp", LogSumExpKernel{})});
     }
-    Blend blend;
-    blend.scale = ArgumentScale<S>::of(quantise<S>(Blend::kRangeTimesSharpness / sharpness));
+    constexpr std::uint32_t most = LogSumExp<float, set_operation>::greatest_operand_count;
+    const double range =
+        log_sum_exp_range(emitter, node, LogSumExp<float, set_operation>::kRangeTimesSharpness);
+    std::uint32_t operands = 0;
     for (const FieldNode& operand : node.operands) {
       emitter.operand(operand);
-      ++blend.operands;
-      if (blend.operands < Blend::greatest_operand_count && &operand != &node.operands.back()) continue;
-      emitter.operation(blend);
-      blend.operands = 1;
+      ++operands;
+      if (operands < most && &operand != &node.operands.back()) continue;
+      emitter.operation([&](auto zero) {
+        using S = decltype(zero);
+        return LogSumExp<S, set_operation>{ArgumentScale<S>::of(quantise<S>(range)), operands};
+      });
+      operands = 1;
     }
   }
 };
@@ -112,10 +146,10 @@ struct QuadraticOperator {
     return blend(pick<set_operation>("quadratic_union", "quadratic_intersection", "quadratic_subtraction"),
                  FieldKind::distance, {required_size("blend_radius")});
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    add_additive<set_operation>(emitter, node, node.number("blend_radius"), "blend_radius",
-                                table_function("quadratic", QuadraticKernel{}));
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    add_additive<set_operation>(
+        emitter, node,
+        {node.number("blend_radius"), "blend_radius", table_function("quadratic", QuadraticKernel{})});
   }
 };
 
@@ -125,10 +159,9 @@ struct CubicOperator {
     return blend(pick<set_operation>("cubic_union", "cubic_intersection", "cubic_subtraction"),
                  FieldKind::distance, {required_size("blend_radius")});
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    add_additive<set_operation>(emitter, node, node.number("blend_radius"), "blend_radius",
-                                table_function("cubic", CubicKernel{}));
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    add_additive<set_operation>(
+        emitter, node, {node.number("blend_radius"), "blend_radius", table_function("cubic", CubicKernel{})});
   }
 };
 

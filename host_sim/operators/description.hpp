@@ -13,7 +13,15 @@ namespace nearfield::host::operators {
 inline constexpr std::size_t most_blend_operands = 64;
 inline constexpr NumberRange weight_range{-10.0, 10.0, {}};
 
-inline ParameterDescription required_size(std::string_view key) { return {key, 1, size_range}; }
+inline ParameterDescription fitting(Fit fit, ParameterDescription parameter) {
+  parameter.fit = fit;
+  return parameter;
+}
+inline ParameterDescription required_size(std::string_view key) {
+  return fitting(Fit::length, {key, 1, size_range});
+}
+// Three full edges of a box about its centre.
+inline ParameterDescription required_edges() { return fitting(Fit::edge, {"size", 3, size_range}); }
 inline ParameterDescription required_point(std::string_view key) { return {key, 3, position_range}; }
 
 inline OperatorDescription shape(std::string_view name, FieldKind kind,

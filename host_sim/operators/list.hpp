@@ -1,18 +1,8 @@
-// Every operator of the scene format. Each is a struct in one of the headers below, and one line in the list, with
-//   static OperatorDescription description()                    what a reader needs to know of it
-//   template <class Emitter> static void add(Emitter&, node)    how a node of it becomes operations
-// An Emitter (compile/field_compiler.cpp) has
-//   Scalar                             the scalar type
-//   operation(payload [, table])       adds an operation of nearfield/field/operations.hpp
-//   table(node, key, function)         reference and range of a function's table; blames node.key when there is none
-//   operand(node)                      adds a node below
-//   certified_operand(node)            the same, and returns its certificate (of an outer frame, so none too small)
-//   in_declared_box(node, half)        adds the one node below within a declared box
-//   trial_value(node, point, blend)    value at a point of all nodes below, blended by what blend() adds; adds nothing
-//   refuse(node, key, what, allowed)   InputError at node.key
-//   fold(node, add_operation)          adds all nodes below, from the second on each followed by add_operation()
-//   in_frame(placement, inside)        what inside() adds, in a frame of its own
-//   placed(placement, shape)           what shape(at) adds: at the position, or turned in a frame of its own at {}
+// Every operator of the scene format. Each is a struct in one of the headers below, and one line in the list,
+// with
+//   static OperatorDescription description()          what a reader needs to know of it
+//   static void add(FieldEmitter&, const FieldNode&)  how a node of it, whose parameters fit the scalar,
+//                                                     becomes operations
 #pragma once
 
 #include <cstddef>
@@ -20,6 +10,7 @@
 
 #include "operators/additive.hpp"
 #include "operators/algebraic.hpp"
+#include "operators/patch.hpp"
 #include "operators/placement.hpp"
 #include "operators/ray.hpp"
 #include "operators/sharp.hpp"
@@ -33,10 +24,9 @@ struct List {
   static std::vector<OperatorDescription> descriptions() { return {Operators::description()...}; }
 
   // Adds a node of the operator at `index`.
-  template <class Emitter>
-  static void add(std::size_t index, Emitter& emitter, const FieldNode& node) {
-    using Add = void (*)(Emitter&, const FieldNode&);
-    static constexpr Add adders[] = {&Operators::template add<Emitter>...};
+  static void add(std::size_t index, FieldEmitter& emitter, const FieldNode& node) {
+    using Add = void (*)(FieldEmitter&, const FieldNode&);
+    static constexpr Add adders[] = {&Operators::add...};
     adders[index](emitter, node);
   }
 };
@@ -59,7 +49,7 @@ using All =
          SharpOperator<SetOperation::unite, FieldKind::ray>,
          SharpOperator<SetOperation::intersect, FieldKind::ray>, PotentialOperator<FieldKind::distance>,
          PotentialOperator<FieldKind::ray>, RayPointOperator, RaySegmentOperator, RayPlaneOperator,
-         VariableInfluenceOperator, SuperEllipsoidalOperator<SetOperation::unite>,
+         LpDistanceOperator, VariableInfluenceOperator, SuperEllipsoidalOperator<SetOperation::unite>,
          SuperEllipsoidalOperator<SetOperation::intersect>, SuperEllipsoidalOperator<SetOperation::subtract>,
          ScaleOperator<SetOperation::unite>, ScaleOperator<SetOperation::intersect>, AlgebraicPlaneOperator,
          QuadricOperator, DeclaredBoxOperator, AlgebraicOfDistanceOperator, AlgebraicOfRayOperator,

@@ -1,6 +1,7 @@
 // Frames of their own.
 #pragma once
 
+#include "compile/field_emitter.hpp"
 #include "model/field_node.hpp"
 #include "operators/description.hpp"
 
@@ -18,8 +19,7 @@ struct PlaceOperator {
     description.needs_placement = true;
     return description;
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
     emitter.in_frame(node.placement, [&] { emitter.operand(node.operands.front()); });
   }
 };

@@ -6,72 +6,115 @@
 #include <nearfield/modify/influence.hpp>
 #include <nearfield/shape/ray.hpp>
 
-#include "compile/quantise.hpp"
-#include "compile/table_baker.hpp"
 #include "operators/sharp.hpp"
+#include "operators/solids.hpp"
 
 namespace nearfield::host::operators {
 
-inline const ParameterDescription ray_radius{"influence_radius", 1, {1.0 / 64.0, 16.0, "m"}};
+inline constexpr NumberRange ray_radius_range{1.0 / 64.0, 16.0, "m"};
+inline ParameterDescription ray_radius() {
+  return fitting(Fit::length, {"influence_radius", 1, ray_radius_range});
+}
 
 struct RayPointOperator {
   static OperatorDescription description() {
-    return shape("ray_point", FieldKind::ray, {ray_radius}, PlacementParts::position);
+    return shape("ray_point", FieldKind::ray, {ray_radius()}, PlacementParts::position);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
-    emitter.operation(RayPoint<S>{quantise<S>(node.placement.position),
-                                  RayRadius<S>(quantise<S>(node.number("influence_radius")))});
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const double radius = node.number("influence_radius");
+    emitter.operation([&](auto zero) {
+      using S = decltype(zero);
+      return RayPoint<S>{quantise<S>(node.placement.position), RayRadius<S>(quantise<S>(radius))};
+    });
   }
 };
 
 struct RaySegmentOperator {
   static OperatorDescription description() {
-    return shape("ray_segment", FieldKind::ray, {required_point("from"), required_point("to"), ray_radius},
+    return shape("ray_segment", FieldKind::ray, {required_point("from"), required_point("to"), ray_radius()},
                  PlacementParts::none);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
-    emitter.operation(RaySegment<S>{quantise_capsule<S>(node.vector("from"), node.vector("to"), 0.0),
-                                    RayRadius<S>(quantise<S>(node.number("influence_radius")))});
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const Ends ends = ends_of(emitter, node);
+    const double radius = node.number("influence_radius");
+    emitter.operation([&](auto zero) {
+      using S = decltype(zero);
+      return RaySegment<S>{quantise_capsule<S>(ends.from, ends.to, 0.0), RayRadius<S>(quantise<S>(radius))};
+    });
   }
 };
 
+// `normal` of unit length.
+inline void add_ray_plane(FieldEmitter& emitter, const Vector3d& at, const Vector3d& normal, double radius) {
+  emitter.operation([&](auto zero) {
+    using S = decltype(zero);
+    return RayPlane<S>{quantise<S>(at), quantise_unit<S>(normal), RayRadius<S>(quantise<S>(radius))};
+  });
+}
 struct RayPlaneOperator {
   static OperatorDescription description() {
-    return shape("ray_plane", FieldKind::ray, {{"normal", 3, {-1e6, 1e6, {}}}, ray_radius},
+    return shape("ray_plane", FieldKind::ray, {{"normal", 3, {-1e6, 1e6, {}}}, ray_radius()},
                  PlacementParts::position);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
     const Vector3d normal = node.vector("normal");
     const double size = length(normal);
     if (!(size > 0.0)) emitter.refuse(node, "normal", "a zero vector has no direction", "any other");
-    emitter.operation(RayPlane<S>{quantise<S>(node.placement.position),
-                                  quantise_unit<S>((1.0 / size) * normal),
-                                  RayRadius<S>(quantise<S>(node.number("influence_radius")))});
+    add_ray_plane(emitter, node.placement.position, (1.0 / size) * normal, node.number("influence_radius"));
   }
 };
 
-// Adds the blend of a profile.
-template <SetOperation set_operation, class Emitter, class Profile>
-void add_ray_linear(Emitter& emitter, const FieldNode& node, const char* key, const std::string& identity,
-                    const Profile& profile) {
-  using S = typename Emitter::Scalar;
-  if (const char* problem = profile.problem())
+// A blend's profile, and how its argument follows from the operands' ratio.
+struct RayProfile {
+  TableFunction function;
+  RayFactors both;
+
+  RayFactors factors() const { return both; }
+};
+template <class Profile>
+RayProfile ray_profile(const FieldEmitter& emitter, const FieldNode& node, const char* key,
+                       const std::string& identity, const Profile& profile) {
+  if (const char* problem = profile.problem()) {
     emitter.refuse(node, key, "the parameters do not fit each other", problem);
-  const std::uint32_t table = emitter.table(node, key, profile_function(identity, profile)).reference;
-  RayLinear<S, set_operation> blend;
-  blend.sides = RaySides<S>::of(profile);
-  if constexpr (set_operation == SetOperation::subtract) {
-    const double surface = node.number("surface");
-    blend.complement = {quantise<S>(surface * surface), quantise<S>(node.number("least"))};
   }
-  emitter.fold(node, [&] { emitter.operation(blend, table); });
+  return {profile_function(identity, profile), profile.factors()};
 }
+
+// Adds the operation of a profile whose table there is.
+template <SetOperation set_operation>
+void add_ray_linear(FieldEmitter& emitter, const FieldNode& node, const RayProfile& profile,
+                    std::uint32_t table) {
+  emitter.operation(
+      [&](auto zero) {
+        using S = decltype(zero);
+        RayLinear<S, set_operation> blend;
+        blend.sides = RaySides<S>::of(profile);
+        if constexpr (set_operation == SetOperation::subtract) {
+          const double surface = node.number("surface");
+          blend.complement = {quantise<S>(surface * surface), quantise<S>(node.number("least"))};
+        }
+        return blend;
+      },
+      table);
+}
+template <SetOperation set_operation>
+void fold_ray_linear(FieldEmitter& emitter, const FieldNode& node, const char* key,
+                     const RayProfile& profile) {
+  const std::uint32_t table = emitter.table(node, key, profile.function);
+  emitter.fold(node, [&] { add_ray_linear<set_operation>(emitter, node, profile, table); });
+}
+
+// Of a node's exponent.
+inline RayProfile super_ellipsoidal_profile(const FieldEmitter& emitter, const FieldNode& node,
+                                            bool is_union) {
+  const double exponent = node.number("exponent");
+  const std::string identity =
+      (is_union ? "super-ellipsoidal union " : "super-ellipsoidal intersection ") + format_number(exponent);
+  return ray_profile(emitter, node, "exponent", identity,
+                     is_union ? profile::super_ellipsoidal_union(exponent)
+                              : profile::super_ellipsoidal_intersection(exponent));
+}
+inline ParameterDescription super_ellipsoidal_exponent() { return {"exponent", 1, {1.0, 64.0, {}}}; }
 
 // Ricci's blends with exponent n; the difference is the intersection with the complement about `surface`.
 template <SetOperation set_operation>
@@ -80,7 +123,7 @@ struct SuperEllipsoidalOperator {
     OperatorDescription description =
         blend(pick<set_operation>("super_ellipsoidal_union", "super_ellipsoidal_intersection",
                                   "super_ellipsoidal_difference"),
-              FieldKind::ray, {{"exponent", 1, {1.0, 64.0, {}}}});
+              FieldKind::ray, {super_ellipsoidal_exponent()});
     if (set_operation == SetOperation::subtract) {
       description.parameters.push_back({"surface", 1, {0.25, 1.0, {}}, {1.0}});
       description.parameters.push_back(
@@ -88,15 +131,34 @@ struct SuperEllipsoidalOperator {
     }
     return description;
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    const double exponent = node.number("exponent");
-    const bool is_union = set_operation == SetOperation::unite;
-    const std::string identity =
-        (is_union ? "super-ellipsoidal union " : "super-ellipsoidal intersection ") + format_number(exponent);
-    add_ray_linear<set_operation>(emitter, node, "exponent", identity,
-                                  is_union ? profile::super_ellipsoidal_union(exponent)
-                                           : profile::super_ellipsoidal_intersection(exponent));
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    fold_ray_linear<set_operation>(
+        emitter, node, "exponent",
+        super_ellipsoidal_profile(emitter, node, set_operation == SetOperation::unite));
+  }
+};
+
+// Hsu's L_p distance (|x/a|^n + |y/b|^n + |z/c|^n)^(1/n): the super-ellipsoidal intersection of three pairs
+// of planes back to back.
+struct LpDistanceOperator {
+  static OperatorDescription description() {
+    return shape("lp_distance", FieldKind::ray,
+                 {super_ellipsoidal_exponent(), fitting(Fit::length, {"semi_axes", 3, ray_radius_range})},
+                 PlacementParts::position_and_orientation);
+  }
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const RayProfile profile = super_ellipsoidal_profile(emitter, node, false);
+    const std::uint32_t table = emitter.table(node, "exponent", profile.function);
+    const Vector3d axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    emitter.placed(node.placement, [&](const Vector3d& at) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double semi_axis = node.parameters.at("semi_axes")[i];
+        add_ray_plane(emitter, at, axes[i], semi_axis);
+        add_ray_plane(emitter, at, -1.0 * axes[i], semi_axis);
+        emitter.operation([](auto zero) { return RayIntersection<decltype(zero)>{}; });
+        if (i != 0) add_ray_linear<SetOperation::intersect>(emitter, node, profile, table);
+      }
+    });
   }
 };
 
@@ -109,15 +171,15 @@ struct ScaleOperator {
     return blend(is_union ? "scale_union" : "scale_intersection", FieldKind::ray,
                  {{"r1", 1, range}, {"r2", 1, range}, {"p", 1, {-1e5, 256.0, {}}, {0.0}}});
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
     const double r1 = node.number("r1"), r2 = node.number("r2"), p = node.number("p");
     const bool is_union = set_operation == SetOperation::unite;
     const std::string identity = std::string(is_union ? "scale union " : "scale intersection ") +
                                  format_number(r1) + " " + format_number(r2) + " " + format_number(p);
-    add_ray_linear<set_operation>(
-        emitter, node, "p", identity,
-        is_union ? profile::scale_union(r1, r2, p) : profile::scale_intersection(r1, r2, p));
+    fold_ray_linear<set_operation>(
+        emitter, node, "p",
+        ray_profile(emitter, node, "p", identity,
+                    is_union ? profile::scale_union(r1, r2, p) : profile::scale_intersection(r1, r2, p)));
   }
 };
 
@@ -130,11 +192,14 @@ struct VariableInfluenceOperator {
     description.most_operands = 2;
     return description;
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
-    const VariableInfluence<S> influence(quantise<S>(node.number("inner_range")));
-    emitter.fold(node, [&] { emitter.operation(influence); });
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const double inner_range = node.number("inner_range");
+    emitter.fold(node, [&] {
+      emitter.operation([&](auto zero) {
+        using S = decltype(zero);
+        return VariableInfluence<S>(quantise<S>(inner_range));
+      });
+    });
   }
 };
 

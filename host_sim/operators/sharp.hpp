@@ -3,6 +3,7 @@
 
 #include <nearfield/blend/sharp.hpp>
 
+#include "compile/field_emitter.hpp"
 #include "model/field_node.hpp"
 #include "operators/description.hpp"
 
@@ -32,9 +33,10 @@ struct SharpOperator {
     }
     return blend(pick<set_operation>("union", "intersection", "subtraction"), kind);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    emitter.fold(node, [&] { emitter.operation(Sharp<typename Emitter::Scalar, set_operation, kind>{}); });
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    emitter.fold(node, [&] {
+      emitter.operation([](auto zero) { return Sharp<decltype(zero), set_operation, kind>{}; });
+    });
   }
 };
 

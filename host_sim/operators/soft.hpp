@@ -5,15 +5,13 @@
 #include <nearfield/modify/potential.hpp>
 #include <nearfield/shape/soft.hpp>
 
-#include "compile/quantise.hpp"
-#include "compile/table_baker.hpp"
-#include "model/field_node.hpp"
-#include "operators/description.hpp"
+#include "operators/sharp.hpp"
+#include "operators/solids.hpp"
 
 namespace nearfield::host::operators {
 
 inline const CurveDescription potential_curve{"potential", CurveFamily::potential, "wyvill"};
-inline ParameterDescription weight() { return {"weight", 1, weight_range, {1.0}}; }
+inline ParameterDescription weight() { return fitting(Fit::number, {"weight", 1, weight_range, {1.0}}); }
 
 inline OperatorDescription soft_skeleton(std::string_view name, std::vector<ParameterDescription> parameters,
                                          PlacementParts placement) {
@@ -24,18 +22,31 @@ inline OperatorDescription soft_skeleton(std::string_view name, std::vector<Para
   return description;
 }
 
+// Where a potential of a node ends, in m: `range` times its influence radius. Refused where the factor
+// `length` over that, which gradients are multiplied with, leaves the scalar's numbers.
+inline double end_of_influence(const FieldEmitter& emitter, const FieldNode& node, double range,
+                               double length) {
+  const ScalarLimits& limits = emitter.limits();
+  const double radius = node.number("influence_radius");
+  const double least = length / limits.end / range, most = std::min(16.0, limits.domain / range);
+  emitter.require(node, "influence_radius", radius, {least, most, "m", true});
+  return range * radius;
+}
+
 // The influence of a node's potential, which ends where the potential's range does.
-template <class Emitter>
 struct SoftInfluence {
-  using S = typename Emitter::Scalar;
-  Influence<S> influence;
+  double radius = 0.0, weight = 0.0;
   std::uint32_t table = 0;
 
-  SoftInfluence(Emitter& emitter, const FieldNode& node) {
+  SoftInfluence(FieldEmitter& emitter, const FieldNode& node) {
     const TableFunction potential = potential_over_square(node.curves.at("potential"));
-    table = emitter.table(node, "potential", potential).reference;
-    influence = Influence<S>(quantise<S>(potential.range * node.number("influence_radius")),
-                             quantise<S>(node.number("weight")));
+    table = emitter.table(node, "potential", potential);
+    radius = end_of_influence(emitter, node, potential.range, 1.0);
+    weight = node.number("weight");
+  }
+  template <class S>
+  Influence<S> in() const {
+    return Influence<S>(quantise<S>(radius), quantise<S>(weight));
   }
 };
 
@@ -43,11 +54,14 @@ struct SoftPointOperator {
   static OperatorDescription description() {
     return soft_skeleton("soft_point", {}, PlacementParts::position);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
-    const SoftInfluence<Emitter> soft(emitter, node);
-    emitter.operation(SoftPoint<S>{quantise<S>(node.placement.position), soft.influence}, soft.table);
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const SoftInfluence soft(emitter, node);
+    emitter.operation(
+        [&](auto zero) {
+          using S = decltype(zero);
+          return SoftPoint<S>{quantise<S>(node.placement.position), soft.in<S>()};
+        },
+        soft.table);
   }
 };
 
@@ -56,12 +70,14 @@ struct SoftSegmentOperator {
     return soft_skeleton("soft_segment", {required_point("from"), required_point("to")},
                          PlacementParts::none);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
-    const SoftInfluence<Emitter> soft(emitter, node);
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const SoftInfluence soft(emitter, node);
+    const Ends ends = ends_of(emitter, node);
     emitter.operation(
-        SoftSegment<S>{quantise_capsule<S>(node.vector("from"), node.vector("to"), 0.0), soft.influence},
+        [&](auto zero) {
+          using S = decltype(zero);
+          return SoftSegment<S>{quantise_capsule<S>(ends.from, ends.to, 0.0), soft.in<S>()};
+        },
         soft.table);
   }
 };
@@ -72,9 +88,8 @@ struct SoftSumOperator {
     description.fewest_operands = 1;
     return description;
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    emitter.fold(node, [&] { emitter.operation(SoftSum<typename Emitter::Scalar>{}); });
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    emitter.fold(node, [&] { emitter.operation([](auto zero) { return SoftSum<decltype(zero)>{}; }); });
   }
 };
 
@@ -92,16 +107,22 @@ struct PotentialOperator {
     description.curves = {potential_curve};
     return description;
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
     const TableFunction potential = potential_function(node.curves.at("potential"));
-    const std::uint32_t table = emitter.table(node, "potential", potential).reference;
-    const double radius = kind == FieldKind::distance ? node.number("influence_radius") : 1.0;
-    const Certificate<S> operand = emitter.certified_operand(node.operands.front());
-    emitter.operation(PotentialOf<S, kind>(quantise<S>(potential.range * radius),
-                                           quantise<S>(node.number("weight")), operand),
-                      table);
+    const std::uint32_t table = emitter.table(node, "potential", potential);
+    double end = potential.range;
+    if constexpr (kind == FieldKind::distance)
+      end = end_of_influence(emitter, node, potential.range, 1.0 / 16.0);
+    const double weight = node.number("weight");
+    const std::size_t first = emitter.step_count();
+    emitter.operand(node.operands.front());
+    emitter.operation(
+        [&](auto zero) {
+          using S = decltype(zero);
+          return PotentialOf<S, kind>(quantise<S>(end), quantise<S>(weight),
+                                      emitter.certificate_since<S>(first));
+        },
+        table);
   }
 };
 

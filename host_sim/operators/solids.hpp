@@ -6,20 +6,39 @@
 #include <nearfield/shape/cylinder.hpp>
 #include <nearfield/shape/sphere.hpp>
 
-#include "compile/quantise.hpp"
+#include "compile/field_emitter.hpp"
 #include "model/field_node.hpp"
 #include "operators/description.hpp"
 
 namespace nearfield::host::operators {
 
+// Ends of an axis, in the frame of the operation.
+struct Ends {
+  Vector3d from, to;
+};
+// Those of a node that has them as `from` and `to`, refused where no capsule of the scalar can have them.
+inline Ends ends_of(const FieldEmitter& emitter, const FieldNode& node) {
+  const Ends ends{transform_point(node.placement, node.vector("from")),
+                  transform_point(node.placement, node.vector("to"))};
+  emitter.require_coordinates(node, "from", ends.from);
+  const double longest = 2.0 * emitter.limits().domain, reach = length(ends.to - ends.from);
+  if (reach > longest) {
+    emitter.refuse(node, "to", emitter.misfit(reach) + ": the length from `from` to `to`",
+                   "at most " + format_number(longest) + " m");
+  }
+  return ends;
+}
+
 struct BallOperator {
   static OperatorDescription description() {
     return shape("sphere", FieldKind::distance, {required_size("radius")}, PlacementParts::position);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
-    emitter.operation(Sphere<S>{quantise<S>(node.placement.position), quantise<S>(node.number("radius"))});
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const double radius = node.number("radius");
+    emitter.operation([&](auto zero) {
+      using S = decltype(zero);
+      return Sphere<S>{quantise<S>(node.placement.position), quantise<S>(radius)};
+    });
   }
 };
 
@@ -29,39 +48,42 @@ struct CapsuleOperator {
                  {required_point("from"), required_point("to"), required_size("radius")},
                  PlacementParts::position_and_orientation);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    emitter.operation(quantise_capsule<typename Emitter::Scalar>(
-        transform_point(node.placement, node.vector("from")),
-        transform_point(node.placement, node.vector("to")), node.number("radius")));
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const Ends ends = ends_of(emitter, node);
+    const double radius = node.number("radius");
+    emitter.operation(
+        [&](auto zero) { return quantise_capsule<decltype(zero)>(ends.from, ends.to, radius); });
   }
 };
 
 struct BoxOperator {
   static OperatorDescription description() {
-    return shape("box", FieldKind::distance, {{"size", 3, size_range}},
-                 PlacementParts::position_and_orientation);
+    return shape("box", FieldKind::distance, {required_edges()}, PlacementParts::position_and_orientation);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const Vector3d half = 0.5 * node.vector("size");
     emitter.placed(node.placement, [&](const Vector3d& at) {
-      emitter.operation(Box<S>{quantise<S>(at), quantise<S>(0.5 * node.vector("size"))});
+      emitter.operation([&](auto zero) {
+        using S = decltype(zero);
+        return Box<S>{quantise<S>(at), quantise<S>(half)};
+      });
     });
   }
 };
 
 struct CylinderOperator {
   static OperatorDescription description() {
-    return shape("cylinder", FieldKind::distance, {required_size("radius"), required_size("height")},
+    return shape("cylinder", FieldKind::distance,
+                 {required_size("radius"), fitting(Fit::edge, {"height", 1, size_range})},
                  PlacementParts::position_and_orientation);
   }
-  template <class Emitter>
-  static void add(Emitter& emitter, const FieldNode& node) {
-    using S = typename Emitter::Scalar;
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const double radius = node.number("radius"), half_height = 0.5 * node.number("height");
     emitter.placed(node.placement, [&](const Vector3d& at) {
-      emitter.operation(Cylinder<S>{quantise<S>(at), quantise<S>(node.number("radius")),
-                                    quantise<S>(0.5 * node.number("height"))});
+      emitter.operation([&](auto zero) {
+        using S = decltype(zero);
+        return Cylinder<S>{quantise<S>(at), quantise<S>(radius), quantise<S>(half_height)};
+      });
     });
   }
 };

@@ -9,6 +9,7 @@
 #include "compile/quantise.hpp"
 #include "model/rest_pose.hpp"
 #include "model/urdf.hpp"
+#include "simulate/saturation.hpp"
 #include "text/input_error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
@@ -126,7 +127,7 @@ double real(S value) {
 
 // What comes after the point in its line.
 template <class S>
-std::string answer(const Program<S>& field, const nearfield::Vector3<S>& p,
+std::string answer(const Program<S>& field, const SaturationWatch<S>& watch, const nearfield::Vector3<S>& p,
                    const std::vector<nearfield::Pose<S>>& slots) {
   const Sample<S> sample = field.template evaluate<Sample<S>>(p, slots.data());
   const double per_metre =
@@ -140,7 +141,9 @@ std::string answer(const Program<S>& field, const nearfield::Vector3<S>& p,
   else if (field.kind() == Kind::intensity)
     found = soft_clearance(field, p, slots.data(), slot_count);
   // Point and poses are acceptable: it is the field that has none.
-  if (found.status == ClearanceStatus::invalid) return values + ",,no_clearance";
+  if (found.status == ClearanceStatus::invalid) {
+    return values + (watch.saturated(sample, p, slots.data()) ? ",,saturated" : ",,no_clearance");
+  }
   return values + "," + format_number(real(found.distance)) + "," + name_of(found.status);
 }
 
@@ -155,14 +158,16 @@ bool in_domain(const Vector3d& point) {
 template <class S>
 std::string csv(const SceneDescription& scene, const std::vector<Vector3d>& points) {
   RestingSlots<S> slots(scene);
-  const CompiledField<S> compiled = compile_field<S>(
-      scene.field, scene.file,
-      [&slots](const FieldNode& node, const std::string& link) { return slots.slot_of(node, link); });
+  const SlotOfLink slot_of_link = [&slots](const FieldNode& node, const std::string& link) {
+    return slots.slot_of(node, link);
+  };
+  const CompiledField<S> compiled = compile_field<S>(scene.field, scene.file, slot_of_link);
+  const SaturationWatch<S> watch(scene.field, scene.file, slot_of_link);
   const Program<S> field(compiled.image.data(), compiled.inspection);
   std::string text = "x,y,z,value,gradient_x,gradient_y,gradient_z,clearance,status\n";
   for (const Vector3d& point : points) {
     text += list_of(point) + ",";
-    text += in_domain<S>(point) ? answer(field, quantise<S>(point), slots.poses()) : ",,,,,invalid";
+    text += in_domain<S>(point) ? answer(field, watch, quantise<S>(point), slots.poses()) : ",,,,,invalid";
     text += "\n";
   }
   return text;

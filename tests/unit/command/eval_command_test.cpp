@@ -1,4 +1,5 @@
-// `nearfield eval`: fields of every kind at points, in every scalar, and what it must refuse.
+// `nearfield eval`: fields of every kind at points, in every scalar, and what
+// it must refuse.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -10,7 +11,8 @@ namespace {
 
 const std::string header = "x,y,z,value,gradient_x,gradient_y,gradient_z,clearance,status\n";
 
-const std::string one_joint = R"(<robot name="r"><link name="base"/><link name="arm"/><link name="finger"/>
+const std::string one_joint =
+    R"(<robot name="r"><link name="base"/><link name="arm"/><link name="finger"/>
 <joint name="turn" type="revolute"><parent link="base"/><child link="arm"/><origin xyz="0 0 0.5"/>
 <axis xyz="0 0 1"/><limit lower="1.5707963267948966" upper="2"/></joint>
 <joint name="slide" type="prismatic"><parent link="arm"/><child link="finger"/><origin xyz="1 0 0"/>
@@ -76,9 +78,11 @@ TEST_F(EvalCommand, Distances) {
 
 TEST_F(EvalCommand, EveryScalarSaysNearlyTheSame) {
   const std::string blend =
-      "{\"type\": \"interior_union\", \"rising_range\": 0.25, \"operands\": [{\"type\": \"sphere\", "
+      "{\"type\": \"interior_union\", \"rising_range\": "
+      "0.25, \"operands\": [{\"type\": \"sphere\", "
       "\"radius\": "
-      "0.5}, {\"type\": \"box\", \"size\": [1, 1, 1], \"position\": [0.75, 0.5, 0]}]}";
+      "0.5}, {\"type\": \"box\", \"size\": [1, 1, 1], "
+      "\"position\": [0.75, 0.5, 0]}]}";
   const std::vector<std::string> exact = cells_of(lines_of_field(blend, "0.1,0.9,0.4"));
   ASSERT_EQ(exact.size(), 9U);
   for (const char* scalar : {"q24", "q16", "float"}) {
@@ -112,14 +116,55 @@ TEST_F(EvalCommand, IntensitiesHaveAClearanceToTheSoftSurface) {
 TEST_F(EvalCommand, RaysAndAlgebraicFieldsHaveNoClearance) {
   EXPECT_EQ(lines_of_field("{\"type\": \"ray_point\", \"influence_radius\": 2}", "1,0,0\n0,0,0\n"),
             "1,0,0,0.5,0.5,0,0,,no_clearance\n0,0,0,0,0,0,0,,no_clearance\n");
-  EXPECT_EQ(
-      lines_of_field("{\"type\": \"quadric\", \"diagonal\": [1, 1, 1], \"constant\": -0.25}", "0.5,0.25,0"),
-      "0.5,0.25,0,0.0625,1,0.5,0,,no_clearance\n");
-  EXPECT_EQ(cells_of(lines_of_field(
-                "{\"type\": \"variable_influence\", \"operands\": [{\"type\": \"ray_point\", "
-                "\"influence_radius\": 1}, {\"type\": \"ray_point\", \"influence_radius\": 2}]}",
-                "0.625,0,0"))[8],
+  EXPECT_EQ(lines_of_field("{\"type\": \"quadric\", \"diagonal\": [1, 1, 1], "
+                           "\"constant\": -0.25}",
+                           "0.5,0.25,0"),
+            "0.5,0.25,0,0.0625,1,0.5,0,,no_clearance\n");
+  EXPECT_EQ(cells_of(lines_of_field("{\"type\": \"variable_influence\", "
+                                    "\"operands\": [{\"type\": \"ray_point\", "
+                                    "\"influence_radius\": 1}, {\"type\": "
+                                    "\"ray_point\", \"influence_radius\": 2}]}",
+                                    "0.625,0,0"))[8],
             "no_clearance");
+}
+
+// What a number on the way to the value is too large for, the value is not.
+TEST_F(EvalCommand, SaturatedValuesAreNamed) {
+  const auto plane = [](const std::string& normal) {
+    return "{\"type\": \"algebraic_plane\", \"normal\": " + normal + "}";
+  };
+  const std::string spline =
+      "{\"type\": \"functional_spline\", \"primaries\": "
+      "2, \"lambda\": 0.5, \"operands\": [" +
+      plane("[4, 0, 0]") + ", " + plane("[-4, 0, 0]") + ", " + plane("[0, 4, 0]") + "]}";
+  const std::string liming = "{\"type\": \"liming\", \"lambda\": 0.5, \"operands\": [" + plane("[4, 0, 0]") +
+                             ", " + plane("[-4, 0, 0]") + ", " + plane("[0, 4, 0]") + "]}";
+  // -8 x^2 + 8 y^2: both products are 16 and more in the second point, and
+  // cancel out.
+  for (const std::string& blend : {spline, liming}) {
+    EXPECT_EQ(lines_of_field(blend, "0.5,0.25,0\n1.5,1.5,0\n1.5,0.5,0\n"),
+              "0.5,0.25,0,-1.5,-8,4,0,,no_clearance\n1.5,1.5,0,0,-24,24,0,,"
+              "saturated\n"
+              "1.5,0.5,0,-6,-24,8,0,,saturated\n");
+    const std::vector<std::string> wide =
+        cells_of(lines_of_field(blend, "1.5,0.5,0\n", {"--scalar", "float"}));
+    EXPECT_EQ(wide[3] + wide[8], "-16no_clearance");
+    const std::string moved =
+        "{\"type\": \"place\", \"position\": [0.5, 0, 0], \"operands\": [" + blend + "]}";
+    EXPECT_EQ(cells_of(lines_of_field(moved, "2,0.5,0\n"))[8], "saturated");
+    EXPECT_EQ(cells_of(lines_of_field(moved, "1,0.25,0\n"))[8], "no_clearance");
+    const std::string least =
+        "{\"type\": \"algebraic_union\", \"operands\": [" + blend + ", " + plane("[1, 0, 0]") + "]}";
+    EXPECT_EQ(cells_of(lines_of_field(least, "1.5,0.5,0\n"))[8], "saturated");
+  }
+  const std::string steep = "{\"type\": \"quadric\", \"diagonal\": [4, 4, 4], \"constant\": 0}";
+  EXPECT_EQ(cells_of(lines_of_field(steep, "2,1,0\n"))[8], "saturated");
+  EXPECT_EQ(cells_of(lines_of_field(steep, "1,1,0\n"))[8], "no_clearance");
+  const std::string patch = "{\"type\": \"ribbon_patch\", \"side_weights\": [4, 4], \"operands\": [" +
+                            plane("[4, 0, 0]") + ", " + plane("[0, 1, 0]") + ", " + plane("[-4, 0, 0]") +
+                            ", " + plane("[0, 1, 0.5]") + "]}";
+  EXPECT_EQ(cells_of(lines_of_field(patch, "1.25,1,1\n"))[8], "saturated");
+  EXPECT_EQ(cells_of(lines_of_field(patch, "0.75,1,1\n"))[8], "no_clearance");
 }
 
 TEST_F(EvalCommand, PointsMayBeSpreadOut) {
@@ -148,7 +193,8 @@ TEST_F(EvalCommand, OutputGoesToAFile) {
   EXPECT_EQ(folder_.read("made.csv"), header + "1,0,0,0.5,1,0,0,0.4999999776482582,clear\n");
 }
 
-// The arm turns as little as its limits allow, a quarter; the finger slides by 0.5 more than 1.
+// The arm turns as little as its limits allow, a quarter; the finger slides by
+// 0.5 more than 1.
 TEST_F(EvalCommand, LinksAreWhereRobotsCarryThemAtRest) {
   const std::string finger = "{\"type\": \"sphere\", \"radius\": 0.5, \"link\": \"finger\"}";
   const std::vector<std::string> cells =
@@ -157,11 +203,14 @@ TEST_F(EvalCommand, LinksAreWhereRobotsCarryThemAtRest) {
   EXPECT_NEAR(number(cells[5]), 1.0, 1e-7);
   EXPECT_EQ(cells[8], "clear");
   const std::string person =
-      "\"person\": {\"robot\": \"robot.urdf\", \"path\": [{\"time\": 0, \"joints\": {\"turn\": 1.6}}, "
+      "\"person\": {\"robot\": \"robot.urdf\", \"path\": [{\"time\": 0, "
+      "\"joints\": {\"turn\": 1.6}}, "
       "{\"time\": 1, \"joints\": {\"turn\": 1.6}}]}, ";
   const std::string of_person =
-      "{\"type\": \"union\", \"operands\": [{\"type\": \"sphere\", \"radius\": 0.5, \"link\": "
-      "\"person/finger\"}, {\"type\": \"sphere\", \"radius\": 0.25, \"link\": \"person/arm\"}]}";
+      "{\"type\": \"union\", \"operands\": [{\"type\": \"sphere\", \"radius\": "
+      "0.5, \"link\": "
+      "\"person/finger\"}, {\"type\": \"sphere\", \"radius\": 0.25, \"link\": "
+      "\"person/arm\"}]}";
   EXPECT_NEAR(number(cells_of(lines(scene(of_person, person), "0,2.5,0.5\n"))[3]), 0.5, 1e-7);
 }
 
@@ -210,27 +259,38 @@ TEST_F(EvalCommand, WrongScenesAreRefused) {
   } const cases[] = {
       {"{}", "s.json:1:1: format: missing"},
       {scene("{\"type\": \"sphere\", \"radius\": 9}"),
-       "s.json:2:1: field: a size or position does not fit the number range"},
-      {scene("{\"type\": \"soft_sum\", \"operands\": [\n{\"type\": \"sphere\", \"radius\": 1}]}"),
-       "s.json:3:1: field.operands[0]: \"sphere\" yields a distance; an intensity is needed here"},
+       "s.json:2:30: field.radius: 9 does not fit q27; from "
+       "3.725290298461914e-09 to 4 m"},
+      {scene("{\"type\": \"soft_sum\", \"operands\": [\n{\"type\": \"sphere\", "
+             "\"radius\": 1}]}"),
+       "s.json:3:1: field.operands[0]: \"sphere\" yields a distance; an "
+       "intensity is needed here"},
       {scene("{\"type\": \"sphere\", \"radius\": 1, \"link\": \"arm\"}"),
-       "s.json:2:1: field.link: link of a robot, but the scene has none; name one"},
+       "s.json:2:1: field.link: link of a robot, but the scene has none; name "
+       "one"},
       {scene("{\"type\": \"sphere\", \"radius\": 1, \"link\": \"leg\"}", "\"robot\": \"robot.urdf\", "),
        "s.json:2:1: field.link: no link \"leg\"; one of base, arm, finger"},
       {scene("{\"type\": \"sphere\", \"radius\": 1, \"link\": \"arm\"}", "\"robot\": \"absent.urdf\", "),
        "absent.urdf: cannot be opened"},
-      {scene("{\"type\": \"soft_point\", \"influence_radius\": 1, \"potential\": \"arctangent_clamped\"}"),
-       "s.json:2:1: field.potential: too steep for a table of 256 segments"},
-      {scene("{\"type\": \"ray_plane\", \"normal\": [0, 0, 0], \"influence_radius\": 1}"),
-       "s.json:2:1: field.normal: a zero vector has no direction"},
-      {scene("{\"type\": \"scale_union\", \"r1\": 0.5, \"r2\": 0.5, \"p\": 0.25, \"operands\": [{\"type\": "
+      {scene("{\"type\": \"soft_point\", \"influence_radius\": 1, "
+             "\"potential\": \"arctangent_clamped\"}"),
+       "s.json:2:60: field.potential: too steep for a table of 256 segments"},
+      {scene("{\"type\": \"ray_plane\", \"normal\": [0, 0, 0], "
+             "\"influence_radius\": 1}"),
+       "s.json:2:33: field.normal: a zero vector has no direction"},
+      {scene("{\"type\": \"scale_union\", \"r1\": 0.5, \"r2\": 0.5, \"p\": "
+             "0.25, \"operands\": [{\"type\": "
              "\"ray_point\", "
-             "\"influence_radius\": 1}, {\"type\": \"ray_point\", \"influence_radius\": 1}]}"),
-       "s.json:2:1: field.p: the parameters do not fit each other; p is at most 0.99 r1 r2"},
-      {scene("{\"type\": \"functional_spline\", \"lambda\": 0.5, \"primaries\": 2, \"operands\": [{\"type\": "
-             "\"algebraic_plane\", \"normal\": [1, 0, 0]}, {\"type\": \"algebraic_plane\", \"normal\": [0, "
+             "\"influence_radius\": 1}, {\"type\": \"ray_point\", "
+             "\"influence_radius\": 1}]}"),
+       "s.json:2:52: field.p: the parameters do not fit each other; p is at "
+       "most 0.99 r1 r2"},
+      {scene("{\"type\": \"functional_spline\", \"lambda\": 0.5, "
+             "\"primaries\": 2, \"operands\": [{\"type\": "
+             "\"algebraic_plane\", \"normal\": [1, 0, 0]}, {\"type\": "
+             "\"algebraic_plane\", \"normal\": [0, "
              "1, 0]}]}"),
-       "s.json:2:1: field.primaries: 2 primaries of 2 operands"},
+       "s.json:2:59: field.primaries: 2 primaries of 2 operands"},
   };
   for (const auto& [text, says] : cases) {
     folder_.write("s.json", text);
@@ -252,7 +312,8 @@ TEST_F(EvalCommand, WrongCallsAreRefused) {
       {{"eval", "ball.json", "--points", "absent.csv"}, "absent.csv: cannot be opened"},
       {{"eval", "absent.json", "--points", "points.csv"}, "absent.json: cannot be opened"},
       {{"eval", "ball.json", "--points", "points.csv", "--scalar", "q28"},
-       "nearfield: --scalar: unknown name \"q28\" (did you mean \"q27\"?): it is one of q27, q24, q16, "
+       "nearfield: --scalar: unknown name \"q28\" (did you mean \"q27\"?): it "
+       "is one of q27, q24, q16, "
        "float"},
       {{"eval", "ball.json", "--points", "points.csv", "--output", "absent/made.csv"},
        "absent/made.csv: cannot be"},

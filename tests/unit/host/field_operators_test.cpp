@@ -1,115 +1,18 @@
-// Every operator of the scene format, read, compiled and evaluated in every scalar. A new operator is a row
-// here.
+// Every operator of the scene format, read, compiled and evaluated in every scalar.
 #include <gtest/gtest.h>
 #include <nearfield/field/program.hpp>
 
 #include <cmath>
-#include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "compile/field_compiler.hpp"
+#include "field_nodes.hpp"
 #include "input_error_expectation.hpp"
-#include "model/scene_reader.hpp"
 
 namespace nearfield::host {
 namespace {
-
-// Parameters of a node, as its object has them; its operands are made from what it takes.
-const std::map<std::string_view, std::string> rows = {
-    {"sphere", "\"radius\": 0.3, \"position\": [0.1, 0, 0]"},
-    {"capsule", "\"from\": [0, 0, 0], \"to\": [0.2, 0, 0.4], \"radius\": 0.2, \"rpy\": [0.1, 0.2, 0.3]"},
-    {"box", "\"size\": [0.4, 0.5, 0.6], \"rpy\": [0.1, 0.2, 0.3]"},
-    {"cylinder", "\"radius\": 0.3, \"height\": 0.4, \"position\": [0, 0.1, 0]"},
-    {"union", ""},
-    {"intersection", ""},
-    {"subtraction", ""},
-    {"exterior_union", "\"blend_radius\": 0.3, \"rising_range\": 0.2"},
-    {"exterior_intersection", "\"blend_radius\": 0.3, \"rising_range\": 0.2, \"step\": \"rising_cutoff\""},
-    {"exterior_subtraction", "\"blend_radius\": 0.3, \"rising_range\": 0.2"},
-    {"interior_union", "\"rising_range\": 0.4"},
-    {"interior_intersection", "\"rising_range\": 0.4"},
-    {"interior_subtraction", "\"rising_range\": 0.4, \"step\": \"rising_cutoff\""},
-    {"log_sum_exp_union", "\"sharpness\": 20"},
-    {"log_sum_exp_intersection", "\"sharpness\": 20"},
-    {"log_sum_exp_subtraction", "\"sharpness\": 20"},
-    {"quadratic_union", "\"blend_radius\": 0.4"},
-    {"quadratic_intersection", "\"blend_radius\": 0.4"},
-    {"quadratic_subtraction", "\"blend_radius\": 0.4"},
-    {"cubic_union", "\"blend_radius\": 0.4"},
-    {"cubic_intersection", "\"blend_radius\": 0.4"},
-    {"cubic_subtraction", "\"blend_radius\": 0.4"},
-    {"place", "\"position\": [0.1, 0, 0], \"rpy\": [0, 0, 1]"},
-    {"soft_point", "\"influence_radius\": 1, \"weight\": 0.75"},
-    {"soft_segment", "\"influence_radius\": 1, \"from\": [0, 0, 0], \"to\": [0.2, 0, 0.1]"},
-    {"soft_sum", ""},
-    {"intensity_union", ""},
-    {"intensity_intersection", ""},
-    {"ray_union", ""},
-    {"ray_intersection", ""},
-    {"potential_of_distance", "\"influence_radius\": 1"},
-    {"potential_of_ray", "\"potential\": \"cubic\""},
-    {"ray_point", "\"influence_radius\": 0.9, \"position\": [0.1, 0, 0]"},
-    {"ray_segment", "\"influence_radius\": 0.9, \"from\": [0, 0, 0], \"to\": [0.2, 0, 0.1]"},
-    {"ray_plane", "\"influence_radius\": 0.9, \"normal\": [1, 2, 3], \"position\": [0, 0, -0.5]"},
-    {"variable_influence", "\"inner_range\": 0.5"},
-    {"super_ellipsoidal_union", "\"exponent\": 3"},
-    {"super_ellipsoidal_intersection", "\"exponent\": 3"},
-    {"super_ellipsoidal_difference", "\"exponent\": 3"},
-    {"scale_union", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
-    {"scale_intersection", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
-    {"algebraic_plane", "\"normal\": [1, 0.5, 0.25], \"offset\": 0.5"},
-    {"quadric", "\"diagonal\": [1, 1, 0.5], \"off_diagonal\": [0.1, 0, 0], \"constant\": -1"},
-    {"declared_box", "\"size\": [3, 3, 3]"},
-    {"algebraic_of_distance", "\"factor\": 2"},
-    {"algebraic_of_ray", ""},
-    {"algebraic_union", ""},
-    {"algebraic_intersection", ""},
-    {"hoffmann_hopcroft_union", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
-    {"hoffmann_hopcroft_intersection", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
-    {"hoffmann_hopcroft_difference", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
-    {"liming", "\"lambda\": 0.5"},
-    {"functional_spline", "\"lambda\": 0.5, \"primaries\": 1"},
-    {"ribbon_patch", "\"side_weights\": [1, 0.5], \"centre_weight\": 0.25"},
-    {"corner_patch", "\"side_weights\": [1, 0.5, 0.75], \"exponent\": 3"},
-};
-
-// A leaf of a kind, one of several different ones.
-std::string leaf(FieldKind kind, std::size_t which) {
-  const std::string at = "\"position\": [" + format_number(0.4 * static_cast<double>(which % 3)) + ", " +
-                         format_number(0.1 * static_cast<double>(which)) + ", 0]";
-  switch (kind) {
-    case FieldKind::distance:
-      return "{\"type\": \"sphere\", \"radius\": 0.3, " + at + "}";
-    case FieldKind::intensity:
-      return "{\"type\": \"soft_point\", \"influence_radius\": 1, " + at + "}";
-    case FieldKind::ray:
-      return "{\"type\": \"ray_point\", \"influence_radius\": 0.8, " + at + "}";
-    case FieldKind::algebraic:
-      break;
-  }
-  return "{\"type\": \"algebraic_plane\", \"normal\": [1, " +
-         format_number(0.5 * static_cast<double>(which)) + ", -1], \"offset\": 0.2}";
-}
-
-std::string node_text(const OperatorDescription& row, std::size_t operand_count, FieldKind operand_kind) {
-  std::string text = "{\"type\": \"" + std::string(row.name) + "\"";
-  if (const std::string& parameters = rows.at(row.name); !parameters.empty()) text += ", " + parameters;
-  if (row.most_operands > 0) {
-    text += ", \"operands\": [";
-    for (std::size_t i = 0; i < operand_count; ++i) text += (i > 0 ? ",\n" : "\n") + leaf(operand_kind, i);
-    text += "]";
-  }
-  return text + "}";
-}
-
-std::string scene_of(const std::string& node) {
-  return "{\"format\": \"nearfield-scene-1\", \"name\": \"a\", \"field\":\n" + node + "}";
-}
-
-FieldNode field_of(const std::string& node) { return parse_scene_of_any_kind(scene_of(node), "scene").field; }
 
 template <class S>
 struct Evaluated {
@@ -183,6 +86,7 @@ void check_node(const OperatorDescription& row, const std::string& text) {
     const FieldNode node = field_of(text);
     EXPECT_TRUE(row.any_kind || node.kind == row.kind);
     const Evaluated<Fixed<27>> field(node);
+    EXPECT_EQ(load<Fixed<27>>(field.image.data(), 4 * field.image.size()).status(), LoadStatus::ok);
     const Numbers found = numbers(field.at(place[0], place[1], place[2]));
     EXPECT_NE(found.value, 0.0);
     expect_gradient_of_differences(node, found);
@@ -196,10 +100,10 @@ void check_node(const OperatorDescription& row, const std::string& text) {
 
 TEST(FieldOperators, EachIsReadCompiledAndEvaluated) {
   for (const OperatorDescription& row : all_operators()) {
-    ASSERT_EQ(rows.count(row.name), 1U) << "no row for " << row.name;
+    ASSERT_EQ(operator_rows.count(row.name), 1U) << "no row for " << row.name;
     for (const std::string& text : nodes_of(row)) check_node(row, text);
   }
-  EXPECT_EQ(rows.size(), all_operators().size());
+  EXPECT_EQ(operator_rows.size(), all_operators().size());
 }
 
 TEST(FieldOperators, EachRefusesOperandsOfOtherKinds) {
@@ -220,12 +124,12 @@ TEST(FieldOperators, PlacedNodesYieldWhatTheirOperandYields) {
   const std::string placed = "{\"type\": \"place\", \"position\": [0, 0, 1], \"operands\": [";
   EXPECT_EQ(field_of(placed + leaf(FieldKind::ray, 0) + "]}").kind, FieldKind::ray);
   EXPECT_EQ(field_of(placed + placed + leaf(FieldKind::algebraic, 0) + "]}]}").kind, FieldKind::algebraic);
-  expect_input_error(
-      parse_scene_of_any_kind,
-      {scene_of("{\"type\": \"ray_union\", \"operands\": [\n" + placed + leaf(FieldKind::ray, 0) + "]},\n" +
-                placed + leaf(FieldKind::intensity, 0) + "]}]}"),
-       "file:4:55: field.operands[1].operands[0]: \"soft_point\" yields an intensity; a ray "
-       "value is needed here: one of place, "});
+  expect_input_error(parse_scene_of_any_kind, {scene_of("{\"type\": \"ray_union\", \"operands\": [\n" +
+                                                        placed + leaf(FieldKind::ray, 0) + "]},\n" + placed +
+                                                        leaf(FieldKind::intensity, 0) + "]}]}"),
+                                               "file:4:55: field.operands[1].operands[0]: "
+                                               "\"soft_point\" yields an intensity; a ray "
+                                               "value is needed here: one of place, "});
 }
 
 // Operators that are their operands' own at a far place, and a blend of more operands than one operation
@@ -242,7 +146,8 @@ TEST(FieldOperators, LogSumExpOfManyOperandsIsBlendedInGroups) {
 TEST(FieldOperators, EqualTablesAreShared) {
   const auto union_of = [](const std::string& second) {
     const std::string blend =
-        "{\"type\": \"exterior_union\", \"blend_radius\": 0.5, \"rising_range\": 0.25, ";
+        "{\"type\": \"exterior_union\", "
+        "\"blend_radius\": 0.5, \"rising_range\": 0.25, ";
     const std::string operands = "\"operands\": [{\"type\": \"sphere\", \"radius\": 0.3}, ";
     return blend + "\"step\": \"polynomial2\", " + operands + blend + second + operands +
            "{\"type\": \"sphere\", \"radius\": 0.3}]}]}";
@@ -260,14 +165,16 @@ TEST(FieldOperators, TablesAreAsSmallAsTheErrorAllows) {
     return Evaluated<Fixed<27>>(field_of(node)).image[image_format::table_words];
   };
   const std::string operands =
-      ", \"operands\": [{\"type\": \"sphere\", \"radius\": 1}, {\"type\": \"sphere\", "
+      ", \"operands\": [{\"type\": \"sphere\", "
+      "\"radius\": 1}, {\"type\": \"sphere\", "
       "\"radius\": 2}]}";
   constexpr std::uint32_t header = image_format::table_header_words;
   EXPECT_EQ(tables_of("{\"type\": \"quadratic_union\", \"blend_radius\": 0.5" + operands), header + 4U);
   EXPECT_EQ(tables_of("{\"type\": \"soft_point\", \"influence_radius\": 1}"), header + 4U * 2U);
-  EXPECT_EQ(
-      tables_of("{\"type\": \"interior_union\", \"rising_range\": 0.5, \"step\": \"polynomial1\"" + operands),
-      header + 4U);
+  EXPECT_EQ(tables_of("{\"type\": \"interior_union\", \"rising_range\": 0.5, "
+                      "\"step\": \"polynomial1\"" +
+                      operands),
+            header + 4U);
   // Corners that no table follows: the best there is.
   const std::string corners = "\"rising_range\": 0.4, \"step\": \"polynomial1\"";
   EXPECT_GT(tables_of("{\"type\": \"exterior_union\", \"blend_radius\": 0.1, " + corners + operands),
@@ -277,8 +184,10 @@ TEST(FieldOperators, TablesAreAsSmallAsTheErrorAllows) {
 // The remap leaves the surface where it is and moves the end of the influence.
 TEST(FieldOperators, RangeControlMovesTheEndOfTheInfluence) {
   const auto intensity = [](double x, const std::string& more) {
-    const Evaluated<Fixed<27>> field(field_of(
-        "{\"type\": \"soft_point\", \"influence_radius\": 1, \"potential\": \"wyvill\"" + more + "}"));
+    const Evaluated<Fixed<27>> field(
+        field_of("{\"type\": \"soft_point\", \"influence_radius\": 1, "
+                 "\"potential\": \"wyvill\"" +
+                 more + "}"));
     return numbers(field.at(x, 0, 0)).value;
   };
   const std::string narrow = ", \"range_control\": {\"w1\": 0.5, \"w2\": 0.25}";
@@ -292,7 +201,8 @@ TEST(FieldOperators, RangeControlMovesTheEndOfTheInfluence) {
 
 // Three orthogonal cylinders and three planes: (|p|^2 - 1) / 2 everywhere.
 TEST(FieldOperators, RibbonPatchThroughAPoint) {
-  const std::string text = R"({"type": "ribbon_patch", "side_weights": [1, 1, 1],
+  const std::string text =
+      R"({"type": "ribbon_patch", "side_weights": [1, 1, 1],
     "through": [0.6, 0.48, 0.64], "operands": [
     {"type": "quadric", "diagonal": [0, 0.5, 0.5], "constant": -0.5},
     {"type": "algebraic_plane", "normal": [1, 0, 0]},
@@ -314,12 +224,13 @@ TEST(FieldOperators, RibbonPatchThroughAPoint) {
 // A potential that no table over the square can hold is one over the distance.
 TEST(FieldOperators, PotentialsThatNeedTheDistanceItself) {
   const std::string potential =
-      "\"influence_radius\": 1, \"potential\": {\"curve\": \"arctangent_clamped\", \"c1\": 20}";
+      "\"influence_radius\": 1, \"potential\": {\"curve\": "
+      "\"arctangent_clamped\", \"c1\": 20}";
   const auto compile = [](const std::string& text, const std::string& file) {
     compile_field<Fixed<27>>(parse_scene_of_any_kind(text, file).field, file, SlotOfLink());
   };
   expect_input_error(compile, {scene_of("{\"type\": \"soft_point\", " + potential + "}"),
-                               "file:2:1: field.potential: too steep for a table of 256 segments; "});
+                               "file:2:60: field.potential: too steep for a table of 256 segments; "});
   const Evaluated<Fixed<27>> field(field_of("{\"type\": \"potential_of_distance\", " + potential +
                                             ", \"operands\": [{\"type\": \"sphere\", \"radius\": 0.25}]}"));
   EXPECT_NEAR(numbers(field.at(0.75, 0, 0)).value, 0.5, 1e-5);

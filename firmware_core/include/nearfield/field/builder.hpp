@@ -75,24 +75,8 @@ template <class S, uint32_t Capacity, class Operations = AllOperations> class Im
       found.status = LoadStatus::wrong_size;
       return found;
     }
-    const uint32_t program_first = header_words + words_[table_words];
-    found = detail::inspect_operations<S, Operations>(words_, program_first, size_);
-    words_[magic_word] = magic;
-    words_[version_word] = version;
-    words_[size_word] = size_;
-    words_[scalar_word] = ScalarTraits<S>::tag;
-    words_[kind_word] = static_cast<uint32_t>(found.kind);
-    words_[program_words] = size_ - program_first;
-    words_[stack_depth_word] = static_cast<uint32_t>(found.stack_depth);
-    words_[frame_depth_word] = static_cast<uint32_t>(found.frame_depth);
-    words_[slot_count_word] = found.slot_count;
-    words_[lipschitz_word] = static_cast<uint32_t>(found.certificate.lipschitz.raw());
-    words_[erosion_word] = ScalarTraits<S>::word(found.certificate.erosion);
-    words_[inflation_word] = ScalarTraits<S>::word(found.certificate.inflation);
-    words_[error_word] = ScalarTraits<S>::word(found.certificate.error);
-    words_[value_budget_word] = found.budget.value;
-    words_[gradient_budget_word] = found.budget.gradient;
-    words_[crc_word] = image_crc(words_, size_);
+    found = detail::inspect_operations<S, Operations>(words_, header_words + words_[table_words], size_);
+    detail::write_header(words_, words_[table_words], size_, found);
     return found.status == LoadStatus::ok ? inspect_image<S, Operations>(words_, size_) : found;
   }
 

@@ -343,6 +343,29 @@ constexpr Inspection<S> inspect_operations(const uint32_t* image, uint32_t first
   return Inspector<S, Operations>(image, first, last, image_format::header_words).run();
 }
 
+// Fills in the header of an image of `size` words, of which `tables` are tables, whose program was found to be this.
+template <class S>
+constexpr void write_header(uint32_t* image, uint32_t tables, uint32_t size, const Inspection<S>& found) {
+  using namespace image_format;
+  image[magic_word] = magic;
+  image[version_word] = version;
+  image[size_word] = size;
+  image[scalar_word] = ScalarTraits<S>::tag;
+  image[kind_word] = static_cast<uint32_t>(found.kind);
+  image[table_words] = tables;
+  image[program_words] = size - header_words - tables;
+  image[stack_depth_word] = static_cast<uint32_t>(found.stack_depth);
+  image[frame_depth_word] = static_cast<uint32_t>(found.frame_depth);
+  image[slot_count_word] = found.slot_count;
+  image[lipschitz_word] = static_cast<uint32_t>(found.certificate.lipschitz.raw());
+  image[erosion_word] = ScalarTraits<S>::word(found.certificate.erosion);
+  image[inflation_word] = ScalarTraits<S>::word(found.certificate.inflation);
+  image[error_word] = ScalarTraits<S>::word(found.certificate.error);
+  image[value_budget_word] = found.budget.value;
+  image[gradient_budget_word] = found.budget.gradient;
+  image[crc_word] = image_crc(image, size);
+}
+
 // Whether the kernel can run on a table of the image without leaving the number range, and its facts hold. What the
 // coefficients cannot tell is facts.error: how far they are from the function that was meant.
 template <class S> constexpr bool table_holds(const uint32_t* table) {

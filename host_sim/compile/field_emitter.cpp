@@ -1,0 +1,247 @@
+#include "compile/field_emitter.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "operators/list.hpp"
+#include "text/input_error.hpp"
+#include "text/number.hpp"
+
+namespace nearfield::host {
+namespace {
+
+bool is_rotated(const Placement& placement) { return placement.rotation != Placement{}.rotation; }
+
+bool has_declared_box(const FieldNode& node) {
+  if (node.operator_->name == "declared_box") return true;
+  return node.kind == FieldKind::distance &&
+         std::any_of(node.operands.begin(), node.operands.end(), has_declared_box);
+}
+
+// What is wrong when every parameter fits by itself.
+std::string misfit_of(const FieldNode* node, std::string_view scalar) {
+  const std::string type(scalar);
+  if (node == nullptr || node->operands.empty()) return "position and size together do not fit " + type;
+  if (node->kind == FieldKind::distance && has_declared_box(*node)) {
+    return "a declared box below it; it is an operand of sharp set operations "
+           "and placements only";
+  }
+  switch (node->kind) {
+    case FieldKind::distance:
+      return "the distance, as blended, changes too fast or reaches too far "
+             "for " +
+             type;
+    case FieldKind::ray:
+      return "the ray value changes too fast for " + type +
+             ": influence radii too small, or blends too steep";
+    case FieldKind::intensity:
+    case FieldKind::algebraic:
+      break;
+  }
+  return "what the operands amount to does not fit " + type;
+}
+
+std::string reason(LoadStatus status, const FieldNode* node, std::string_view scalar) {
+  switch (status) {
+    case LoadStatus::wrong_size:
+      return "the field is too large";
+    case LoadStatus::stack_too_deep:
+      return "operands are nested too deeply";
+    case LoadStatus::frames_too_deep:
+      return "placements are nested too deeply";
+    case LoadStatus::bad_table:
+      return "the curve's ends do not meet as this blend needs them";
+    default:
+      return misfit_of(node, scalar);
+  }
+}
+
+}  // namespace
+
+FieldEmitter::FieldEmitter(FieldScalar scalar, std::string file, const SlotOfLink& slot_of_link)
+    : scalar_(scalar), limits_(limits_of(scalar)), file_(std::move(file)), slot_of_link_(slot_of_link) {}
+
+std::uint32_t FieldEmitter::table(const FieldNode& node, const std::string& key,
+                                  const TableFunction& function) {
+  const auto known = references_.find(function.identity);
+  if (known != references_.end()) return known->second;
+  ImageTable table = with_scalar(scalar_, [&](auto zero) { return bake_table<decltype(zero)>(function); });
+  if (!table.usable()) {
+    refuse(node, key, "too steep for a table of 256 segments",
+           "a table may err by 1/64 at most, and climb by at most 16 over its "
+           "range");
+  }
+  const std::uint32_t reference = table_reference(tables_, tables_.size());
+  tables_.push_back(std::move(table));
+  return references_[function.identity] = reference;
+}
+
+void FieldEmitter::operand(const FieldNode& node) {
+  const FieldNode* const outer = std::exchange(node_, &node);
+  check_parameters(node);
+  const auto add = [&] {
+    operators::All::add(static_cast<std::size_t>(node.operator_ - all_operators().data()), *this, node);
+  };
+  if (node.link) {
+    const std::uint32_t slot = slot_of_link_(node, *node.link);
+    open_frames_.push_back(steps_.size());
+    add_words(Operation::enter_slot, &slot, 1);
+    inside(add);
+  } else {
+    add();
+  }
+  node_ = outer;
+}
+
+void FieldEmitter::fold(const FieldNode& node, const std::function<void()>& add_operation) {
+  for (std::size_t i = 0; i < node.operands.size(); ++i) {
+    operand(node.operands[i]);
+    if (i != 0) add_operation();
+  }
+}
+
+void FieldEmitter::in_frame(const Placement& placement, const std::function<void()>& add) {
+  open_frames_.push_back(steps_.size());
+  with_scalar(scalar_, [&](auto zero) {
+    const auto pose = quantise<decltype(zero)>(placement);
+    add_words(Operation::enter_pose, &pose, payload_words<decltype(pose)>);
+  });
+  inside(add);
+}
+
+void FieldEmitter::placed(const Placement& placement, const std::function<void(const Vector3d& at)>& shape) {
+  if (!is_rotated(placement)) return shape(placement.position);
+  in_frame(placement, [&] { shape(Vector3d{}); });
+}
+
+void FieldEmitter::inside(const std::function<void()>& add) {
+  add();
+  add_words(Operation::leave, nullptr, 0);
+  open_frames_.pop_back();
+}
+
+void FieldEmitter::in_declared_box(const FieldNode& node, const Vector3d& half) {
+  const std::size_t first = steps_.size();
+  with_scalar(scalar_, [&](auto zero) {
+    const auto extents = quantise<decltype(zero)>(half);
+    add_words(Operation::enter_box, &extents, payload_words<decltype(extents)>);
+  });
+  operand(node.operands.front());
+  with_scalar(scalar_, [&](auto zero) {
+    using S = decltype(zero);
+    const auto box_with = [&](Rate lipschitz) { return DeclaredBox<S>(quantise<S>(half), lipschitz); };
+    const auto add = [&](const DeclaredBox<S>& box) {
+      add_words(Operation::leave_box, &box, payload_words<DeclaredBox<S>>);
+    };
+    // The rate is not known before the image has been walked once.
+    add(box_with(kUnitRate));
+    const Certificate<S> inside = write_image<S>(tables_, within_open_frames(first)).inspection.boxed;
+    if (!inside.valid) return;  // finish() says why
+    if (inside.lipschitz == kNoRateBound || !(inside.magnitude < algebraic_limit<S>())) {
+      refuse(node, "size", "the field's gradient has no bound in this box",
+             "a smaller box, or a field of smaller values; patches have none "
+             "at all");
+    }
+    steps_.pop_back();
+    add(box_with(inside.lipschitz));
+  });
+}
+
+std::vector<double> FieldEmitter::values_of(const FieldNode& node, const std::string& key,
+                                            const FieldNode& below, const std::vector<Vector3d>& points) {
+  const std::size_t first = steps_.size();
+  operand(below);
+  const std::vector<FieldStep> steps(steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
+  steps_.resize(first);
+  return with_scalar(scalar_, [&](auto zero) {
+    using S = decltype(zero);
+    const CompiledField<S> field = inspected<S>(steps);
+    const Program<S> program(field.image.data(), field.inspection);
+    if (program.slot_count() != 0) {
+      refuse(node, key, "an operand moves with a link", "operands that stay where the node is");
+    }
+    std::vector<double> values;
+    for (const Vector3d& point : points) {
+      const Value<S> value = program.template evaluate<Value<S>>(quantise<S>(point), nullptr);
+      values.push_back(ScalarTraits<S>::to_double(value.value));
+    }
+    return values;
+  });
+}
+
+void FieldEmitter::require(const FieldNode& node, const std::string& key, double value,
+                           const NumberRange& range) const {
+  if (!contains(range, value)) refuse(node, key, misfit(value), describe(range));
+}
+
+void FieldEmitter::require_coordinates(const FieldNode& node, const std::string& key,
+                                       const Vector3d& point) const {
+  const double coordinates[3] = {point.x, point.y, point.z};
+  const NumberRange range = fitting_range(limits_, Fit::number, position_range);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (contains(range, coordinates[i])) continue;
+    refuse(node, key + "[" + std::to_string(i) + "]", misfit(coordinates[i]), describe(range));
+  }
+}
+
+void FieldEmitter::refuse(const FieldNode& node, const std::string& key, const std::string& message,
+                          const std::string& allowed) const {
+  throw InputError(file_, node.place_of(key.substr(0, key.find('['))), node.path + "." + key, message,
+                   allowed);
+}
+
+std::string FieldEmitter::misfit(double value) const {
+  return format_number(value) + " does not fit " + std::string(limits_.name);
+}
+
+void FieldEmitter::fail(SourcePosition position, const std::string& path, LoadStatus status) const {
+  throw InputError(file_, position, path, reason(status, nullptr, limits_.name),
+                   "everything must lie within " + format_number(limits_.domain) +
+                       " m of its frame's origin, " + std::to_string(kStackDepth) + " operands and " +
+                       std::to_string(kFrameDepth) + " frames deep");
+}
+
+void FieldEmitter::fail(const FieldNode& root, std::size_t step, LoadStatus status) const {
+  if (status != LoadStatus::wrong_size) fail_in(steps_, step, status);
+  fail(root.position, root.path, status);
+}
+
+void FieldEmitter::fail_in(const std::vector<FieldStep>& steps, std::size_t step, LoadStatus status) const {
+  const FieldNode& node = *steps[step].node;
+  throw InputError(file_, node.position, node.path, reason(status, &node, limits_.name),
+                   "everything must lie within " + format_number(limits_.domain) +
+                       " m of its frame's origin, " + std::to_string(kStackDepth) + " operands and " +
+                       std::to_string(kFrameDepth) + " frames deep");
+}
+
+void FieldEmitter::add_words(Operation operation, const void* payload, std::uint32_t words) {
+  FieldStep step{node_, operation, std::vector<std::uint32_t>(words)};
+  if (words != 0) std::memcpy(step.words.data(), payload, words * sizeof(std::uint32_t));
+  steps_.push_back(std::move(step));
+}
+
+void FieldEmitter::check_parameters(const FieldNode& node) const {
+  for (const ParameterDescription& parameter : node.operator_->parameters) {
+    if (parameter.fit == Fit::any) continue;
+    const std::string key(parameter.key);
+    const std::vector<double>& values = node.parameters.at(key);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (fits(limits_, parameter.fit, values[i])) continue;
+      std::string place = key;
+      if (parameter.most_points > 0) place += "[" + std::to_string(i / parameter.count) + "]";
+      if (parameter.count > 1 || parameter.most > 0) place += "[" + std::to_string(i % parameter.count) + "]";
+      refuse(node, place, misfit(values[i]), describe_fitting(limits_, parameter.fit, parameter.range));
+    }
+  }
+  require_coordinates(node, "position", node.placement.position);
+}
+
+std::vector<FieldStep> FieldEmitter::within_open_frames(std::size_t first) const {
+  std::vector<FieldStep> steps;
+  for (const std::size_t frame : open_frames_) steps.push_back(steps_[frame]);
+  steps.insert(steps.end(), steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
+  for (std::size_t i = 0; i < open_frames_.size(); ++i) steps.push_back({node_, Operation::leave, {}});
+  return steps;
+}
+
+}  // namespace nearfield::host

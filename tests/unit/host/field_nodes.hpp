@@ -1,0 +1,121 @@
+// A node of every operator of the scene format. A new operator is a row here.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "model/operators.hpp"
+#include "model/scene_reader.hpp"
+#include "text/number.hpp"
+
+namespace nearfield::host {
+
+// Parameters of a node, as its object has them; its operands are made from what it takes.
+inline const std::map<std::string_view, std::string> operator_rows = {
+    {"sphere", "\"radius\": 0.3, \"position\": [0.1, 0, 0]"},
+    {"capsule",
+     "\"from\": [0, 0, 0], \"to\": [0.2, 0, 0.4], \"radius\": 0.2, "
+     "\"rpy\": [0.1, 0.2, 0.3]"},
+    {"box", "\"size\": [0.4, 0.5, 0.6], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"cylinder", "\"radius\": 0.3, \"height\": 0.4, \"position\": [0, 0.1, 0]"},
+    {"union", ""},
+    {"intersection", ""},
+    {"subtraction", ""},
+    {"exterior_union", "\"blend_radius\": 0.3, \"rising_range\": 0.2"},
+    {"exterior_intersection",
+     "\"blend_radius\": 0.3, \"rising_range\": 0.2, "
+     "\"step\": \"rising_cutoff\""},
+    {"exterior_subtraction", "\"blend_radius\": 0.3, \"rising_range\": 0.2"},
+    {"interior_union", "\"rising_range\": 0.4"},
+    {"interior_intersection", "\"rising_range\": 0.4"},
+    {"interior_subtraction", "\"rising_range\": 0.4, \"step\": \"rising_cutoff\""},
+    {"log_sum_exp_union", "\"sharpness\": 20"},
+    {"log_sum_exp_intersection", "\"sharpness\": 20"},
+    {"log_sum_exp_subtraction", "\"sharpness\": 20"},
+    {"quadratic_union", "\"blend_radius\": 0.4"},
+    {"quadratic_intersection", "\"blend_radius\": 0.4"},
+    {"quadratic_subtraction", "\"blend_radius\": 0.4"},
+    {"cubic_union", "\"blend_radius\": 0.4"},
+    {"cubic_intersection", "\"blend_radius\": 0.4"},
+    {"cubic_subtraction", "\"blend_radius\": 0.4"},
+    {"place", "\"position\": [0.1, 0, 0], \"rpy\": [0, 0, 1]"},
+    {"soft_point", "\"influence_radius\": 1, \"weight\": 0.75"},
+    {"soft_segment", "\"influence_radius\": 1, \"from\": [0, 0, 0], \"to\": [0.2, 0, 0.1]"},
+    {"soft_sum", ""},
+    {"intensity_union", ""},
+    {"intensity_intersection", ""},
+    {"ray_union", ""},
+    {"ray_intersection", ""},
+    {"potential_of_distance", "\"influence_radius\": 1"},
+    {"potential_of_ray", "\"potential\": \"cubic\""},
+    {"ray_point", "\"influence_radius\": 0.9, \"position\": [0.1, 0, 0]"},
+    {"ray_segment", "\"influence_radius\": 0.9, \"from\": [0, 0, 0], \"to\": [0.2, 0, 0.1]"},
+    {"ray_plane",
+     "\"influence_radius\": 0.9, \"normal\": [1, 2, 3], "
+     "\"position\": [0, 0, -0.5]"},
+    {"lp_distance", "\"exponent\": 3, \"semi_axes\": [0.8, 0.9, 1], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"variable_influence", "\"inner_range\": 0.5"},
+    {"super_ellipsoidal_union", "\"exponent\": 3"},
+    {"super_ellipsoidal_intersection", "\"exponent\": 3"},
+    {"super_ellipsoidal_difference", "\"exponent\": 3"},
+    {"scale_union", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
+    {"scale_intersection", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
+    {"algebraic_plane", "\"normal\": [1, 0.5, 0.25], \"offset\": 0.5"},
+    {"quadric",
+     "\"diagonal\": [1, 1, 0.5], \"off_diagonal\": [0.1, 0, 0], "
+     "\"constant\": -1"},
+    {"declared_box", "\"size\": [3, 3, 3]"},
+    {"algebraic_of_distance", "\"factor\": 2"},
+    {"algebraic_of_ray", ""},
+    {"algebraic_union", ""},
+    {"algebraic_intersection", ""},
+    {"hoffmann_hopcroft_union", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
+    {"hoffmann_hopcroft_intersection", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
+    {"hoffmann_hopcroft_difference", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
+    {"liming", "\"lambda\": 0.5"},
+    {"functional_spline", "\"lambda\": 0.5, \"primaries\": 1"},
+    {"ribbon_patch", "\"side_weights\": [1, 0.5], \"centre_weight\": 0.25"},
+    {"corner_patch", "\"side_weights\": [1, 0.5, 0.75], \"exponent\": 3"},
+};
+
+// A leaf of a kind, one of several different ones.
+inline std::string leaf(FieldKind kind, std::size_t which) {
+  const std::string at = "\"position\": [" + format_number(0.4 * static_cast<double>(which % 3)) + ", " +
+                         format_number(0.1 * static_cast<double>(which)) + ", 0]";
+  switch (kind) {
+    case FieldKind::distance:
+      return "{\"type\": \"sphere\", \"radius\": 0.3, " + at + "}";
+    case FieldKind::intensity:
+      return "{\"type\": \"soft_point\", \"influence_radius\": 1, " + at + "}";
+    case FieldKind::ray:
+      return "{\"type\": \"ray_point\", \"influence_radius\": 0.8, " + at + "}";
+    case FieldKind::algebraic:
+      break;
+  }
+  return "{\"type\": \"algebraic_plane\", \"normal\": [1, " +
+         format_number(0.5 * static_cast<double>(which)) + ", -1], \"offset\": 0.2}";
+}
+
+inline std::string node_text(const OperatorDescription& row, std::size_t operand_count,
+                             FieldKind operand_kind) {
+  std::string text = "{\"type\": \"" + std::string(row.name) + "\"";
+  if (const std::string& parameters = operator_rows.at(row.name); !parameters.empty())
+    text += ", " + parameters;
+  if (row.most_operands > 0) {
+    text += ", \"operands\": [";
+    for (std::size_t i = 0; i < operand_count; ++i) text += (i > 0 ? ",\n" : "\n") + leaf(operand_kind, i);
+    text += "]";
+  }
+  return text + "}";
+}
+
+inline std::string scene_of(const std::string& node) {
+  return "{\"format\": \"nearfield-scene-1\", \"name\": \"a\", \"field\":\n" + node + "}";
+}
+
+inline FieldNode field_of(const std::string& node) {
+  return parse_scene_of_any_kind(scene_of(node), "scene").field;
+}
+
+}  // namespace nearfield::host
