@@ -49,8 +49,6 @@ std::string reason(LoadStatus status, const FieldNode* node, std::string_view sc
       return "operands are nested too deeply";
     case LoadStatus::frames_too_deep:
       return "placements are nested too deeply";
-    case LoadStatus::bad_table:
-      return "the curve's ends do not meet as this blend needs them";
     default:
       return misfit_of(node, scalar);
   }
@@ -208,6 +206,9 @@ void FieldEmitter::fail(const FieldNode& root, std::size_t step, LoadStatus stat
 
 void FieldEmitter::fail_in(const std::vector<FieldStep>& steps, std::size_t step, LoadStatus status) const {
   const FieldNode& node = *steps[step].node;
+  if (status == LoadStatus::bad_table) {
+    refuse(node, "step", "has not risen from 0 to 1 at its ends", "within 2^-24; a logistic step with alpha from 17 on does");
+  }
   throw InputError(file_, node.position, node.path, reason(status, &node, limits_.name),
                    "everything must lie within " + format_number(limits_.domain) +
                        " m of its frame's origin, " + std::to_string(kStackDepth) + " operands and " +
