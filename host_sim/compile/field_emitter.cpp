@@ -158,6 +158,9 @@ std::vector<double> FieldEmitter::values_of(const FieldNode& node, const std::st
     if (program.slot_count() != 0) {
       refuse(node, key, "an operand moves with a link", "operands that stay where the node is");
     }
+    if (program.parameter_count() != 0) {
+      refuse(node, key, "an operand changes with a parameter", "operands without a `parameter_slot`");
+    }
     std::vector<double> values;
     for (const Vector3d& point : points) {
       const Value<S> value = program.template evaluate<Value<S>>(quantise<S>(point), nullptr);

@@ -178,6 +178,12 @@ CompiledWorkCell compile_work_cell(const SceneDescription& scene, const std::str
       return slot_of(node, link, cell.person, scene.file);
     });
   }
+  const auto refuse_parameters = [&scene](const CompiledField<Q>& field, const FieldNode& node) {
+    if (field.inspection.parameter_count == 0) return;
+    throw InputError(scene.file, node.position, node.path, "takes parameters", "a field of a work cell has none");
+  };
+  refuse_parameters(cell.cell, scene.field);
+  if (scene.soft) refuse_parameters(cell.soft, *scene.soft);
   compile_separation(*scene.separation, scene.file, cell.settings);
   cell.settings.refinements = 12;
   cell.settings.tolerance = quantise<Q>(0.0001);

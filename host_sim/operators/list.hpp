@@ -10,6 +10,7 @@
 
 #include "operators/additive.hpp"
 #include "operators/algebraic.hpp"
+#include "operators/parameter.hpp"
 #include "operators/patch.hpp"
 #include "operators/placement.hpp"
 #include "operators/ray.hpp"
@@ -57,6 +58,7 @@ using All =
          SharpOperator<SetOperation::intersect, FieldKind::algebraic>,
          HoffmannHopcroftOperator<SetOperation::unite>, HoffmannHopcroftOperator<SetOperation::intersect>,
          HoffmannHopcroftOperator<SetOperation::subtract>, LimingOperator, FunctionalSplineOperator,
-         RibbonPatchOperator, CornerPatchOperator>;
+         RibbonPatchOperator, CornerPatchOperator, MorphOperator<FieldKind::distance>,
+         MorphOperator<FieldKind::intensity>, MorphOperator<FieldKind::ray>, SwellOperator, FadeOperator>;
 
 }  // namespace nearfield::host::operators

@@ -128,21 +128,20 @@ double real(S value) {
 // What comes after the point in its line.
 template <class S>
 std::string answer(const Program<S>& field, const SaturationWatch<S>& watch, const nearfield::Vector3<S>& p,
-                   const std::vector<nearfield::Pose<S>>& slots) {
-  const Sample<S> sample = field.template evaluate<Sample<S>>(p, slots.data());
+                   const nearfield::Slots<S>& slots) {
+  const Sample<S> sample = field.template evaluate<Sample<S>>(p, slots);
   const double per_metre =
       field.kind() == Kind::distance ? 1.0 : 1.0 / detail::power_of_two(kGradientLengthLog2);
   const Vector3d gradient{real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)};
   const std::string values = format_number(real(sample.value)) + "," + list_of(per_metre * gradient);
-  const auto slot_count = static_cast<std::uint32_t>(slots.size());
   Clearance<S> found;
   if (field.kind() == Kind::distance)
-    found = clearance(field, p, slots.data(), slot_count);
+    found = clearance(field, p, slots);
   else if (field.kind() == Kind::intensity)
-    found = soft_clearance(field, p, slots.data(), slot_count);
-  // Point and poses are acceptable: it is the field that has none.
+    found = soft_clearance(field, p, slots);
+  // Point and slots are acceptable: it is the field that has none.
   if (found.status == ClearanceStatus::invalid) {
-    return values + (watch.saturated(sample, p, slots.data()) ? ",,saturated" : ",,no_clearance");
+    return values + (watch.saturated(sample, p, slots) ? ",,saturated" : ",,no_clearance");
   }
   return values + "," + format_number(real(found.distance)) + "," + name_of(found.status);
 }
@@ -156,18 +155,30 @@ bool in_domain(const Vector3d& point) {
 }
 
 template <class S>
-std::string csv(const SceneDescription& scene, const std::vector<Vector3d>& points) {
-  RestingSlots<S> slots(scene);
-  const SlotOfLink slot_of_link = [&slots](const FieldNode& node, const std::string& link) {
-    return slots.slot_of(node, link);
+std::string csv(const SceneDescription& scene, const std::vector<Vector3d>& points,
+                const std::vector<double>& parameters) {
+  RestingSlots<S> links(scene);
+  const SlotOfLink slot_of_link = [&links](const FieldNode& node, const std::string& link) {
+    return links.slot_of(node, link);
   };
   const CompiledField<S> compiled = compile_field<S>(scene.field, scene.file, slot_of_link);
   const SaturationWatch<S> watch(scene.field, scene.file, slot_of_link);
   const Program<S> field(compiled.image.data(), compiled.inspection);
+  if (field.parameter_count() > parameters.size()) {
+    throw InputError(scene.file, scene.field.position, scene.field.path,
+                     "takes " + std::to_string(field.parameter_count()) + " parameters, of which " +
+                         std::to_string(parameters.size()) + " are given",
+                     "--parameters with as many numbers from 0 to 1");
+  }
+  std::vector<S> rounded;
+  for (const double parameter : parameters) rounded.push_back(quantise<S>(parameter));
+  const std::vector<nearfield::Pose<S>>& poses = links.poses();
+  const nearfield::Slots<S> slots(poses.data(), static_cast<std::uint32_t>(poses.size()), rounded.data(),
+                                  static_cast<std::uint32_t>(rounded.size()));
   std::string text = "x,y,z,value,gradient_x,gradient_y,gradient_z,clearance,status\n";
   for (const Vector3d& point : points) {
     text += list_of(point) + ",";
-    text += in_domain<S>(point) ? answer(field, watch, quantise<S>(point), slots.poses()) : ",,,,,invalid";
+    text += in_domain<S>(point) ? answer(field, watch, quantise<S>(point), slots) : ",,,,,invalid";
     text += "\n";
   }
   return text;
@@ -176,16 +187,16 @@ std::string csv(const SceneDescription& scene, const std::vector<Vector3d>& poin
 }  // namespace
 
 std::string evaluation_csv(const SceneDescription& scene, const std::vector<Vector3d>& points,
-                           FieldScalar scalar) {
+                           FieldScalar scalar, const std::vector<double>& parameters) {
   switch (scalar) {
     case FieldScalar::q27:
-      return csv<Fixed<27>>(scene, points);
+      return csv<Fixed<27>>(scene, points, parameters);
     case FieldScalar::q24:
-      return csv<Fixed<24>>(scene, points);
+      return csv<Fixed<24>>(scene, points, parameters);
     case FieldScalar::q16:
-      return csv<Fixed<16>>(scene, points);
+      return csv<Fixed<16>>(scene, points, parameters);
     case FieldScalar::single:
-      return csv<float>(scene, points);
+      return csv<float>(scene, points, parameters);
   }
   return "";
 }

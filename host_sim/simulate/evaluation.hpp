@@ -16,8 +16,8 @@ namespace nearfield::host {
 // nothing is certified) or saturated (the same, and value or gradient are wrong: a number on the way to them
 // left the number range). Nodes with a link are where the scene's robot or person carries them at rest
 // (rest_pose.hpp). InputError when the field does not fit the scalar, and for links of a robot or person that
-// the scene does not have.
+// the scene does not have. `parameters`: those of the field's parameter slots, from 0 on, each in [0, 1].
 std::string evaluation_csv(const SceneDescription& scene, const std::vector<Vector3d>& points,
-                           FieldScalar scalar);
+                           FieldScalar scalar, const std::vector<double>& parameters = {});
 
 }  // namespace nearfield::host

@@ -102,7 +102,7 @@ void SaturationWatch<S>::watch(const FieldNode& node, const std::string& file,
 
 template <class S>
 bool SaturationWatch<S>::saturated(const Sample<S>& sample, const nearfield::Vector3<S>& p,
-                                   const nearfield::Pose<S>* slots) const {
+                                   const nearfield::Slots<S>& slots) const {
   const auto real = [](S number) { return ScalarTraits<S>::to_double(number); };
   // A little before the end, since products are taken in double here.
   const double limit = real(algebraic_limit<S>()) * (1.0 - std::ldexp(1.0, -20));

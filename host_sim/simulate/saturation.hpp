@@ -23,7 +23,7 @@ class SaturationWatch {
   // Whether any of them does at p, or `sample`, the field's there, has a number at the end of the range.
   // Preconditions as Program::evaluate().
   bool saturated(const Sample<S>& sample, const nearfield::Vector3<S>& p,
-                 const nearfield::Pose<S>* slots) const;
+                 const nearfield::Slots<S>& slots) const;
 
  private:
   struct Blend {

@@ -167,6 +167,32 @@ TEST_F(EvalCommand, SaturatedValuesAreNamed) {
   EXPECT_EQ(cells_of(lines_of_field(patch, "0.75,1,1\n"))[8], "no_clearance");
 }
 
+TEST_F(EvalCommand, ParametersComeWithTheCall) {
+  const std::string morph =
+      R"({"type": "morph", "parameter_slot": 1, "operands": [{"type": "sphere", "radius": 0.5},
+{"type": "swell", "radius": 0.25, "parameter_slot": 0, "operands": [{"type": "sphere", "radius": 1}]}]})";
+  const auto value = [&](const std::string& parameters) {
+    return number(cells_of(lines_of_field(morph, "2,0,0\n", {"--parameters", parameters})).at(3));
+  };
+  EXPECT_EQ(value("0,0"), 1.5);
+  EXPECT_EQ(value("1,0"), 1.5);
+  EXPECT_EQ(value("0,1"), 1.0);
+  EXPECT_EQ(value("1,1"), 0.75);
+  EXPECT_EQ(value("0.5,0.5,0.25"), 1.1875);
+  folder_.write("s.json", scene(morph));
+  const Outcome missing = folder_.run({"eval", "s.json", "--points", "points.csv", "--parameters", "0.5"});
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_EQ(missing.err,
+            "s.json:2:1: field: takes 2 parameters, of which 1 are given; "
+            "--parameters with as many numbers from 0 to 1\n");
+  for (const std::string bad : {"1.5", "-0.1", "a", "0.5,", ",0.5", "nan", "0.5 0.5"}) {
+    const Outcome outcome = folder_.run({"eval", "s.json", "--points", "points.csv", "--parameters", bad});
+    EXPECT_EQ(outcome.status, 2) << bad;
+    EXPECT_NE(outcome.err.find("--parameters"), std::string::npos) << bad;
+    EXPECT_EQ(outcome.out, "") << bad;
+  }
+}
+
 TEST_F(EvalCommand, PointsMayBeSpreadOut) {
   const std::string ball = "{\"type\": \"sphere\", \"radius\": 0.5}";
   const std::string expected = "1,0,0,0.5,1,0,0,0.4999999776482582,clear\n";

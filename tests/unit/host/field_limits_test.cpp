@@ -142,7 +142,7 @@ TEST(FieldLimits, WhatDoesNotFitNamesTheKeyAndTheRange) {
        "file:2:60: field.p: -3.5 does not fit q27 beside these r1 and r2; from "
        "-3 to 0.875 times r1 r2"},
       {blend("{\"type\": \"interior_union\", \"rising_range\": 0.1, \"step\": \"logistic\"", 2, ball),
-       "file:2:62: field.step: has not risen from 0 to 1 at its ends; within "
+       "file:2:57: field.step: has not risen from 0 to 1 at its ends; within "
        "2^-24"},
       {blend("{\"type\": \"log_sum_exp_union\", \"sharpness\": 5", 3, ball),
        "file:2:44: field.sharpness: 5 does not fit q27; from 5.545"},

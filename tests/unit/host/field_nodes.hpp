@@ -75,6 +75,11 @@ inline const std::map<std::string_view, std::string> operator_rows = {
     {"hoffmann_hopcroft_difference", "\"r1\": 0.5, \"r2\": 0.6, \"p\": 0.1"},
     {"liming", "\"lambda\": 0.5"},
     {"functional_spline", "\"lambda\": 0.5, \"primaries\": 1"},
+    {"morph", "\"parameter_slot\": 0"},
+    {"intensity_morph", "\"parameter_slot\": 0"},
+    {"ray_morph", "\"parameter_slot\": 0"},
+    {"swell", "\"radius\": 0.25, \"parameter_slot\": 0"},
+    {"fade", "\"parameter_slot\": 0"},
     {"ribbon_patch", "\"side_weights\": [1, 0.5], \"centre_weight\": 0.25"},
     {"corner_patch", "\"side_weights\": [1, 0.5, 0.75], \"exponent\": 3"},
 };

@@ -27,8 +27,9 @@ struct Evaluated {
     program = Program<S>(image.data(), inspection);
   }
   Sample<S> at(double x, double y, double z) const {
+    const S half = ScalarTraits<S>::half(ScalarTraits<S>::one());
     return program.template evaluate<Sample<S>>(
-        {S(static_cast<S>(x)), S(static_cast<S>(y)), S(static_cast<S>(z))}, nullptr);
+        {S(static_cast<S>(x)), S(static_cast<S>(y)), S(static_cast<S>(z))}, Slots<S>(nullptr, 0, &half, 1));
   }
 };
 
