@@ -18,39 +18,43 @@ bool has_declared_box(const FieldNode& node) {
          std::any_of(node.operands.begin(), node.operands.end(), has_declared_box);
 }
 
+struct Misfit {
+  std::string what, allowed;
+};
+
 // What is wrong when every parameter fits by itself.
-std::string misfit_of(const FieldNode* node, std::string_view scalar) {
-  const std::string type(scalar);
-  if (node == nullptr || node->operands.empty()) return "position and size together do not fit " + type;
-  if (node->kind == FieldKind::distance && has_declared_box(*node)) {
-    return "a declared box below it; it is an operand of sharp set operations "
-           "and placements only";
+Misfit misfit_of(const FieldNode* node, const ScalarLimits& limits) {
+  const std::string type(limits.name);
+  const std::string within = "everything must lie within " + format_number(limits.domain) + " m of its frame's origin";
+  if (node == nullptr || node->operands.empty()) return {"position and size together do not fit " + type, within};
+  if (std::any_of(node->operands.begin(), node->operands.end(), has_declared_box)) {
+    return {"a declared box below it", "it is an operand of sharp set operations and placements only"};
   }
   switch (node->kind) {
     case FieldKind::distance:
-      return "the distance, as blended, changes too fast or reaches too far "
-             "for " +
-             type;
+      return {"the distance, as blended, changes too fast or reaches too far for " + type, within};
     case FieldKind::ray:
-      return "the ray value changes too fast for " + type +
-             ": influence radii too small, or blends too steep";
+      return {"the ray value changes too fast for " + type, "greater influence radii, or blends that are less steep"};
     case FieldKind::intensity:
+      return {"what the operands amount to does not fit " + type,
+              "smaller weights: where some are negative, and where intensities morph or fade, all together must be less than " +
+                  format_number(limits.end)};
     case FieldKind::algebraic:
       break;
   }
-  return "what the operands amount to does not fit " + type;
+  return {"what the operands amount to does not fit " + type, "smaller operands"};
 }
 
-std::string reason(LoadStatus status, const FieldNode* node, std::string_view scalar) {
+Misfit misfit_of(LoadStatus status, const FieldNode* node, const ScalarLimits& limits) {
   switch (status) {
     case LoadStatus::wrong_size:
-      return "the field is too large";
+      return {"the field is too large", "65536 words of image"};
     case LoadStatus::stack_too_deep:
-      return "operands are nested too deeply";
+      return {"operands are nested too deeply", std::to_string(kStackDepth) + " deep"};
     case LoadStatus::frames_too_deep:
-      return "placements are nested too deeply";
+      return {"placements are nested too deeply", std::to_string(kFrameDepth) + " deep"};
     default:
-      return misfit_of(node, scalar);
+      return misfit_of(node, limits);
   }
 }
 
@@ -196,10 +200,8 @@ std::string FieldEmitter::misfit(double value) const {
 }
 
 void FieldEmitter::fail(SourcePosition position, const std::string& path, LoadStatus status) const {
-  throw InputError(file_, position, path, reason(status, nullptr, limits_.name),
-                   "everything must lie within " + format_number(limits_.domain) +
-                       " m of its frame's origin, " + std::to_string(kStackDepth) + " operands and " +
-                       std::to_string(kFrameDepth) + " frames deep");
+  const Misfit misfit = misfit_of(status, nullptr, limits_);
+  throw InputError(file_, position, path, misfit.what, misfit.allowed);
 }
 
 void FieldEmitter::fail(const FieldNode& root, std::size_t step, LoadStatus status) const {
@@ -210,12 +212,10 @@ void FieldEmitter::fail(const FieldNode& root, std::size_t step, LoadStatus stat
 void FieldEmitter::fail_in(const std::vector<FieldStep>& steps, std::size_t step, LoadStatus status) const {
   const FieldNode& node = *steps[step].node;
   if (status == LoadStatus::bad_table) {
-    refuse(node, "step", "has not risen from 0 to 1 at its ends", "within 2^-24; a logistic step with alpha from 17 on does");
+    refuse(node, "step", "has not risen from 0 to 1 at its ends", "within 2^-24; a logistic step with a greater alpha does");
   }
-  throw InputError(file_, node.position, node.path, reason(status, &node, limits_.name),
-                   "everything must lie within " + format_number(limits_.domain) +
-                       " m of its frame's origin, " + std::to_string(kStackDepth) + " operands and " +
-                       std::to_string(kFrameDepth) + " frames deep");
+  const Misfit misfit = misfit_of(status, &node, limits_);
+  throw InputError(file_, node.position, node.path, misfit.what, misfit.allowed);
 }
 
 void FieldEmitter::add_words(Operation operation, const void* payload, std::uint32_t words) {

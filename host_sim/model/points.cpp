@@ -74,6 +74,10 @@ bool is_header(const Line& line) {
 }  // namespace
 
 std::vector<Vector3d> parse_points(std::string_view text, const std::string& file) {
+  if (text.substr(0, 3) == "\xef\xbb\xbf") throw InputError(file, {1, 1}, "", "byte order mark", "UTF-8 without one");
+  if (const auto invalid = first_invalid_utf8(text)) {
+    throw InputError(file, position_at(text, *invalid), "", "bytes that are not UTF-8", "the file must be UTF-8");
+  }
   std::vector<Vector3d> points;
   std::size_t number = 0;
   bool header_may_come = true;

@@ -141,6 +141,11 @@ inline void require_count(const FieldEmitter& emitter, const FieldNode& node, co
       "one for every two operands");
 }
 
+inline void require_pairs(const FieldEmitter& emitter, const FieldNode& node) {
+  if (node.operands.size() % 2 == 0) return;
+  emitter.refuse(node, "operands", std::to_string(node.operands.size()), "an even number: two for each side");
+}
+
 template <template <class> class Patch>
 void add_patch(FieldEmitter& emitter, const FieldNode& node, PatchShape& shape) {
   require_count(emitter, node, "side_weights", "weights", shape.side_weights.size());
@@ -154,6 +159,7 @@ void add_patch(FieldEmitter& emitter, const FieldNode& node, PatchShape& shape) 
 struct RibbonPatchOperator {
   static OperatorDescription description() { return patch("ribbon_patch", 2); }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
+    require_pairs(emitter, node);
     PatchShape shape(node, false);
     if (shape.side_weights.empty())
       shape.side_weights.assign(static_cast<std::size_t>(shape.side_count), 1.0);
@@ -173,6 +179,7 @@ struct CornerPatchOperator {
     return description;
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
+    require_pairs(emitter, node);
     PatchShape shape(node, true);
     const std::size_t point_count = node.points("side_points").size();
     if (point_count > 0) {

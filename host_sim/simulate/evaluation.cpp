@@ -1,15 +1,19 @@
 #include "simulate/evaluation.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include <nearfield/query/soft_clearance.hpp>
+#include <nearfield/shape/algebraic_bounds.hpp>
 
 #include "compile/field_compiler.hpp"
 #include "compile/quantise.hpp"
 #include "model/rest_pose.hpp"
 #include "model/urdf.hpp"
-#include "simulate/saturation.hpp"
 #include "text/input_error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
@@ -125,27 +129,6 @@ double real(S value) {
   return ScalarTraits<S>::to_double(value) + 0.0;
 }
 
-// What comes after the point in its line.
-template <class S>
-std::string answer(const Program<S>& field, const SaturationWatch<S>& watch, const nearfield::Vector3<S>& p,
-                   const nearfield::Slots<S>& slots) {
-  const Sample<S> sample = field.template evaluate<Sample<S>>(p, slots);
-  const double per_metre =
-      field.kind() == Kind::distance ? 1.0 : 1.0 / detail::power_of_two(kGradientLengthLog2);
-  const Vector3d gradient{real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)};
-  const std::string values = format_number(real(sample.value)) + "," + list_of(per_metre * gradient);
-  Clearance<S> found;
-  if (field.kind() == Kind::distance)
-    found = clearance(field, p, slots);
-  else if (field.kind() == Kind::intensity)
-    found = soft_clearance(field, p, slots);
-  // Point and slots are acceptable: it is the field that has none.
-  if (found.status == ClearanceStatus::invalid) {
-    return values + (watch.saturated(sample, p, slots) ? ",,saturated" : ",,no_clearance");
-  }
-  return values + "," + format_number(real(found.distance)) + "," + name_of(found.status);
-}
-
 // Whether rounding to the scalar leaves a number where it is, but for that.
 template <class S>
 bool in_domain(const Vector3d& point) {
@@ -154,32 +137,103 @@ bool in_domain(const Vector3d& point) {
   return within_limit(point.x) && within_limit(point.y) && within_limit(point.z);
 }
 
+// A scene's field in a scalar, its links at rest.
+template <class S>
+class FieldAtRest {
+ public:
+  FieldAtRest(const SceneDescription& scene, const std::vector<double>& parameters) : links_(scene) {
+    compiled_ = compile_field<S>(
+        scene.field, scene.file,
+        [this](const FieldNode& node, const std::string& link) { return links_.slot_of(node, link); });
+    program = Program<S>(compiled_.image.data(), compiled_.inspection);
+    if (program.parameter_count() > parameters.size()) {
+      throw InputError(scene.file, scene.field.position, scene.field.path,
+                       "takes " + std::to_string(program.parameter_count()) + " parameters, of which " +
+                           std::to_string(parameters.size()) + " are given",
+                       "--parameters with as many numbers from 0 to 1");
+    }
+    for (const double parameter : parameters) parameters_.push_back(quantise<S>(parameter));
+    slots = nearfield::Slots<S>(links_.poses().data(), static_cast<std::uint32_t>(links_.poses().size()),
+                                parameters_.data(), static_cast<std::uint32_t>(parameters_.size()));
+  }
+  FieldAtRest(const FieldAtRest&) = delete;
+  FieldAtRest& operator=(const FieldAtRest&) = delete;
+
+  Sample<S> at(const nearfield::Vector3<S>& p) const { return program.template evaluate<Sample<S>>(p, slots); }
+
+  Program<S> program;
+  nearfield::Slots<S> slots;
+
+ private:
+  RestingSlots<S> links_;
+  CompiledField<S> compiled_;
+  std::vector<S> parameters_;
+};
+
+using Numbers = std::array<double, 4>;  // value and gradient
+template <class S>
+Numbers numbers_of(const Sample<S>& sample) {
+  return {real(sample.value), real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)};
+}
+
+// The same field in float, whose numbers end far beyond those of Fixed: what differs grossly has saturated on the way.
+class WideField {
+ public:
+  WideField(const SceneDescription& scene, const std::vector<double>& parameters) {
+    try {
+      field_ = std::make_unique<FieldAtRest<float>>(scene, parameters);
+    } catch (const InputError&) {
+      // It fits the scalar asked for, but not float: there is nothing to compare with.
+    }
+  }
+  bool differs(const Numbers& narrow, const Vector3d& point) const {
+    if (!field_ || !in_domain<float>(point)) return false;
+    const Numbers wide = numbers_of(field_->at(quantise<float>(point)));
+    for (std::size_t i = 0; i < wide.size(); ++i) {
+      const double allowed = (std::abs(wide[i]) + 1.0) / 64.0;
+      // A gradient may be that of another operand where several are equal; what saturates is smaller.
+      const double missing = i == 0 ? std::abs(wide[i] - narrow[i]) : std::abs(wide[i]) - std::abs(narrow[i]);
+      if (missing > allowed) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::unique_ptr<FieldAtRest<float>> field_;
+};
+
+// What comes after the point in its line.
+template <class S>
+std::string answer(const FieldAtRest<S>& field, const WideField& wide, const Vector3d& point) {
+  const nearfield::Vector3<S> p = quantise<S>(point);
+  const Kind kind = field.program.kind();
+  const Sample<S> sample = field.at(p);
+  const Numbers numbers = numbers_of(sample);
+  const double per_metre = kind == Kind::distance ? 1.0 : 1.0 / detail::power_of_two(kGradientLengthLog2);
+  const std::string values = format_number(numbers[0]) + "," +
+                             list_of(per_metre * Vector3d{numbers[1], numbers[2], numbers[3]});
+  Clearance<S> found;
+  if (kind == Kind::distance)
+    found = clearance(field.program, p, field.slots);
+  else if (kind == Kind::intensity)
+    found = soft_clearance(field.program, p, field.slots);
+  // Point and slots are acceptable: it is the field that has none.
+  if (found.status == ClearanceStatus::invalid) {
+    const double end = real(algebraic_limit<S>()) * (1.0 - 1e-6);
+    const bool at_end = std::any_of(numbers.begin(), numbers.end(), [end](double x) { return !(std::abs(x) < end); });
+    return values + (at_end || wide.differs(numbers, point) ? ",,saturated" : ",,no_clearance");
+  }
+  return values + "," + format_number(real(found.distance)) + "," + name_of(found.status);
+}
+
 template <class S>
 std::string csv(const SceneDescription& scene, const std::vector<Vector3d>& points,
                 const std::vector<double>& parameters) {
-  RestingSlots<S> links(scene);
-  const SlotOfLink slot_of_link = [&links](const FieldNode& node, const std::string& link) {
-    return links.slot_of(node, link);
-  };
-  const CompiledField<S> compiled = compile_field<S>(scene.field, scene.file, slot_of_link);
-  const SaturationWatch<S> watch(scene.field, scene.file, slot_of_link);
-  const Program<S> field(compiled.image.data(), compiled.inspection);
-  if (field.parameter_count() > parameters.size()) {
-    throw InputError(scene.file, scene.field.position, scene.field.path,
-                     "takes " + std::to_string(field.parameter_count()) + " parameters, of which " +
-                         std::to_string(parameters.size()) + " are given",
-                     "--parameters with as many numbers from 0 to 1");
-  }
-  std::vector<S> rounded;
-  for (const double parameter : parameters) rounded.push_back(quantise<S>(parameter));
-  const std::vector<nearfield::Pose<S>>& poses = links.poses();
-  const nearfield::Slots<S> slots(poses.data(), static_cast<std::uint32_t>(poses.size()), rounded.data(),
-                                  static_cast<std::uint32_t>(rounded.size()));
+  const FieldAtRest<S> field(scene, parameters);
+  const WideField wide(scene, parameters);
   std::string text = "x,y,z,value,gradient_x,gradient_y,gradient_z,clearance,status\n";
   for (const Vector3d& point : points) {
-    text += list_of(point) + ",";
-    text += in_domain<S>(point) ? answer(field, watch, quantise<S>(point), slots) : ",,,,,invalid";
-    text += "\n";
+    text += list_of(point) + "," + (in_domain<S>(point) ? answer(field, wide, point) : ",,,,,invalid") + "\n";
   }
   return text;
 }

@@ -30,8 +30,8 @@ Sphere<S> ball(Real x, Real radius) {
   return {{rounded<S>(x), {}, {}}, rounded<S>(radius)};
 }
 template <class S>
-auto glow(Real x, Real weight) {
-  return with_potential(SoftPoint<S>{{rounded<S>(x), {}, {}}, Influence<S>(rounded<S>(1.0L), rounded<S>(weight))},
+auto glow(Real x, Real wseven) {
+  return with_potential(SoftPoint<S>{{rounded<S>(x), {}, {}}, Influence<S>(rounded<S>(1.0L), rounded<S>(wseven))},
                         potential_table<S>);
 }
 template <class S>
@@ -128,6 +128,50 @@ TYPED_TEST(ParametersOf, MoveTheSurface) {
     EXPECT_LT(answer.distance, before);
     before = answer.distance;
   }
+}
+
+// Nowhere in the ball of a soft clearance is the exact intensity 1/2.
+TYPED_TEST(ParametersOf, SoftClearancesOfChangingFieldsAreFree) {
+  using S = TypeParam;
+  Random random(reference::announced_seed("SoftClearancesOfChangingFieldsAreFree", 812));
+  const auto wyvill = [](const Vec3& p, Real x, Real wseven) {
+    const Real u = reference::squared_norm(p - Vec3{x, 0, 0});
+    return u >= 1 ? 0 : wseven * (1 - u * (22 - u * (17 - 4 * u)) / 9);
+  };
+  int clear = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Real wsevens[] = {random.uniform(0.25L, 4), random.uniform(-2, 4), random.uniform(0.25L, 4)};
+    const auto first = soft_sum(glow<S>(0, wsevens[0]), glow<S>(0.5L, wsevens[1]));
+    const auto second = glow<S>(-0.5L, wsevens[2]);
+    const S parameters[] = {rounded<S>(random.uniform(0, 1)), rounded<S>(random.uniform(0, 1))};
+    const auto changing = field(combine(IntensityMorph<S>{0}, first, combine(Fade<S>{1}, second)));
+    ASSERT_TRUE(changing.valid());
+    const Vec3 at = real(rounded<S>(random.vector(-1.5L, 1.5L)));
+    const Clearance<S> answer = soft_clearance(changing, rounded<S>(at), Slots<S>(nullptr, 0, parameters, 2));
+    if (answer.status != ClearanceStatus::clear) continue;
+    ++clear;
+    const Real x = real(parameters[0]), y = real(parameters[1]);
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 p = at + std::min(real(answer.distance), Real{3}) * random.unit_vector();
+      const Real exact = (1 - x) * (wyvill(p, 0, wsevens[0]) + wyvill(p, 0.5L, wsevens[1])) + x * y * wyvill(p, -0.5L, wsevens[2]);
+      ASSERT_LE(exact, 0.5L + 2 * real(changing.certificate().error)) << "case " << i;
+    }
+  }
+  EXPECT_GT(clear, 100);
+}
+
+// The greatest number that a saturated sum stands at must not be scaled down.
+TYPED_TEST(ParametersOf, SaturatingIntensitiesAreRefused) {
+  using S = TypeParam;
+  const auto three = soft_sum(glow<S>(0, 4), glow<S>(0, 4), glow<S>(0, 4));
+  const auto seven = soft_sum(three, glow<S>(0, 4), three);
+  constexpr bool saturates = std::is_same_v<S, Fixed<27>>;
+  EXPECT_TRUE(field(seven).valid());
+  EXPECT_TRUE(field(combine(Fade<S>{0}, three)).valid());
+  EXPECT_EQ(field(combine(Fade<S>{0}, seven)).valid(), !saturates);
+  EXPECT_TRUE(field(combine(IntensityMorph<S>{0}, three, three)).valid());
+  EXPECT_EQ(field(combine(IntensityMorph<S>{0}, seven, glow<S>(0, -4))).valid(), !saturates);
+  EXPECT_EQ(field(combine(IntensityMorph<S>{0}, glow<S>(0, -4), seven)).valid(), !saturates);
 }
 
 TYPED_TEST(ParametersOf, OutOfRangeAreRefused) {

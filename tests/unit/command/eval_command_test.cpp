@@ -140,11 +140,11 @@ TEST_F(EvalCommand, SaturatedValuesAreNamed) {
   const std::string liming = "{\"type\": \"liming\", \"lambda\": 0.5, \"operands\": [" + plane("[4, 0, 0]") +
                              ", " + plane("[-4, 0, 0]") + ", " + plane("[0, 4, 0]") + "]}";
   // -8 x^2 + 8 y^2: both products are 16 and more in the second point, and
-  // cancel out.
+  // cancel out as they should.
   for (const std::string& blend : {spline, liming}) {
     EXPECT_EQ(lines_of_field(blend, "0.5,0.25,0\n1.5,1.5,0\n1.5,0.5,0\n"),
               "0.5,0.25,0,-1.5,-8,4,0,,no_clearance\n1.5,1.5,0,0,-24,24,0,,"
-              "saturated\n"
+              "no_clearance\n"
               "1.5,0.5,0,-6,-24,8,0,,saturated\n");
     const std::vector<std::string> wide =
         cells_of(lines_of_field(blend, "1.5,0.5,0\n", {"--scalar", "float"}));
@@ -160,6 +160,16 @@ TEST_F(EvalCommand, SaturatedValuesAreNamed) {
   const std::string steep = "{\"type\": \"quadric\", \"diagonal\": [4, 4, 4], \"constant\": 0}";
   EXPECT_EQ(cells_of(lines_of_field(steep, "2,1,0\n"))[8], "saturated");
   EXPECT_EQ(cells_of(lines_of_field(steep, "1,1,0\n"))[8], "no_clearance");
+  // Inside: of a product with the point, and of a gradient that is scaled down afterwards.
+  EXPECT_EQ(cells_of(lines_of_field("{\"type\": \"quadric\", \"diagonal\": [4, 0, 0], \"off_diagonal\": "
+                                    "[0, 4, 4], \"constant\": 0}",
+                                    "0.05,4,4\n"))[8],
+            "saturated");
+  EXPECT_EQ(cells_of(lines_of_field("{\"type\": \"hoffmann_hopcroft_union\", \"r1\": 0.2, \"r2\": 2.8, \"operands\": "
+                                    "[{\"type\": \"quadric\", \"diagonal\": [4, -4, 0], \"constant\": 0.1}, "
+                                    "{\"type\": \"algebraic_plane\", \"normal\": [0, 0, 1], \"offset\": -0.15}]}",
+                                    "3.9,3.9,0\n"))[8],
+            "saturated");
   const std::string patch = "{\"type\": \"ribbon_patch\", \"side_weights\": [4, 4], \"operands\": [" +
                             plane("[4, 0, 0]") + ", " + plane("[0, 1, 0]") + ", " + plane("[-4, 0, 0]") +
                             ", " + plane("[0, 1, 0.5]") + "]}";
@@ -269,6 +279,8 @@ TEST_F(EvalCommand, WrongPointsAreRefused) {
       {"0,1e999,0\n", "p.csv:1:3: y: \"1e999\" is not a number"},
       {"0;0;0\n", "p.csv:1:1: x: \"0;0;0\" is not a number"},
       {"0,+1,0\n", "p.csv:1:3: y: \"+1\" is not a number"},
+      {"0,0,\xff\n", "p.csv:1:5: bytes that are not UTF-8; the file must be UTF-8"},
+      {"\xef\xbb\xbf" "x,y,z\n1,2,3\n", "p.csv:1:1: byte order mark; UTF-8 without one"},
       {"\xc3\xa9,0,0\n", "p.csv:1:1: x: \"\xc3\xa9\" is not a number"},
   };
   for (const auto& [points, says] : cases) {

@@ -141,7 +141,7 @@ TEST(FieldLimits, WhatDoesNotFitNamesTheKeyAndTheRange) {
              2, plane),
        "file:2:60: field.p: -3.5 does not fit q27 beside these r1 and r2; from "
        "-3 to 0.875 times r1 r2"},
-      {blend("{\"type\": \"interior_union\", \"rising_range\": 0.1, \"step\": \"logistic\"", 2, ball),
+      {blend("{\"type\": \"interior_union\", \"rising_range\": 0.1, \"step\": {\"curve\": \"logistic\", \"alpha\": 16}", 2, ball),
        "file:2:57: field.step: has not risen from 0 to 1 at its ends; within "
        "2^-24"},
       {blend("{\"type\": \"log_sum_exp_union\", \"sharpness\": 5", 3, ball),
@@ -173,7 +173,16 @@ TEST(FieldLimits, WhatDoesNotFitTogetherNamesTheNode) {
                 ball_at("") + "]}"),
        "file:4:1: field.operands[1]: position and size together do not fit "
        "q27; everything must lie within 4 m of "
-       "its frame's origin, 18 operands and 4 frames deep"},
+       "its frame's origin"},
+      {scene_of("{\"type\": \"potential_of_distance\", \"influence_radius\": 1, "
+                "\"operands\": [{\"type\": \"declared_box\", \"size\": [1, 1, "
+                "1], \"operands\": [" +
+                flat + "]}]}"),
+       "file:2:1: field: a declared box below it; it is an operand of sharp "
+       "set operations and placements only"},
+      {scene_of("{\"type\": \"ribbon_patch\", \"operands\": [" + flat + ", " + flat + ", " + flat + ", " + flat +
+                ", " + flat + "]}"),
+       "file:2:38: field.operands: 5; an even number: two for each side"},
       {scene_of("{\"type\": \"quadratic_union\", \"blend_radius\": 1, "
                 "\"operands\": [{\"type\": \"sphere\", "
                 "\"radius\": 1}, {\"type\": \"declared_box\", \"size\": [1, 1, "

@@ -178,8 +178,8 @@ struct CutoffFromPolynomial {
 // S_alpha(t) = 1 / (1 + e^(-alpha t)) on [-1, 1], 0 and 1 outside: an approximation that jumps by tail() at both ends.
 struct Logistic {
   static constexpr const char* name = "logistic";
-  static constexpr CurveParameter parameters[] = {number_parameter("alpha", "steepness", 1, 200, 16)};
-  double alpha = 16.0;
+  static constexpr CurveParameter parameters[] = {number_parameter("alpha", "steepness", 1, 200, 20)};
+  double alpha = 20.0;
 
   constexpr Differentiable operator()(const Differentiable& t) const {
     if (t.value <= -1.0) return 0.0;

@@ -6,9 +6,19 @@
 
 namespace nearfield {
 
+namespace detail {
+
+// Whether an intensity is known not to saturate: the greatest number stands for anything above.
+template <class S> constexpr bool never_saturates(const Certificate<S>& intensity) {
+  return intensity.magnitude > S{} && intensity.magnitude < ScalarTraits<S>::greatest();
+}
+
+}  // namespace detail
+
 // (1 - x) a + x b: exactly a at 0, exactly b at 1, in between half a unit of rounding. Between a soft and a sharp blend of
-// the same operands it changes softness, between two potentials too. A clearance is that to the surface as it is at x;
-// erosion and inflation are the greater of both, against the sharp solids of a and of b alike.
+// the same operands it changes softness, between two potentials too. A clearance is that to the surface as it is at x; to
+// the sharp solids as well only where a and b are blends of the same ones: erosion and inflation are the greater of both.
+// Intensities must be known not to saturate.
 template <class S, Kind of> struct MorphOf {
   static_assert(of != Kind::algebraic, "algebraic fields have no morph");
   using Scalar = S;
@@ -34,6 +44,7 @@ template <class S, Kind of> struct MorphOf {
   }
   constexpr Certificate<S> certificate(OperandCertificates<S> operands, const TableFacts&, Reach<S> reach) const {
     Certificate<S> between = worst_of(operands[0], operands[1]);
+    if (of == Kind::intensity) between.valid = between.valid && detail::never_saturates(operands[0]) && detail::never_saturates(operands[1]);
     between.magnitude = operands[0].magnitude > S{} && operands[1].magnitude > S{}
                             ? greatest_of_two(operands[0].magnitude, operands[1].magnitude) : S{};
     // Fixed: half a unit for the product; float: two products and a sum of numbers up to the greatest one.
@@ -75,7 +86,7 @@ template <class S> struct Swell {
   }
 };
 
-// x F: an intensity that comes and goes. Half a unit of rounding.
+// x F: an intensity, known not to saturate, that comes and goes. Half a unit of rounding.
 template <class S> struct Fade {
   using Scalar = S;
   static constexpr Kind kind = Kind::intensity;
@@ -95,6 +106,7 @@ template <class S> struct Fade {
   constexpr Certificate<S> certificate(OperandCertificates<S> operands, const TableFacts&, Reach<S>) const {
     using T = ScalarTraits<S>;
     Certificate<S> faded = operands[0];
+    faded.valid = operands[0].valid && detail::never_saturates(operands[0]);
     faded.error = operands[0].error + T::rounding_unit(operands[0].magnitude + T::one());
     return faded;
   }

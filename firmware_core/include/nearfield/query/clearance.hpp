@@ -16,7 +16,8 @@ enum class ClearanceStatus : uint8_t {
 
 template <class S> struct Clearance {
   ClearanceStatus status = ClearanceStatus::invalid;
-  // m. Clear: positive, a lower bound of the distance to the blended surface and to the sharp solids. Otherwise not
+  // m. Clear: positive, a lower bound of the distance to the blended surface and to the sharp solids (of a morph between
+  // solids that are not the same to its own surface alone). Otherwise not
   // positive: the field's value less its error, which is how deep the point is in a lone shape; where solids overlap it
   // may be deeper. Invalid: the least number.
   S distance = ScalarTraits<S>::least();
