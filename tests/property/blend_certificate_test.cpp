@@ -9,8 +9,8 @@ namespace {
 
 using reference::Random;
 
-constexpr int fields_per_family = 2200;
-constexpr int points_per_field = 20;
+constexpr int fields_per_family = 41700;
+constexpr int points_per_field = 2;
 
 template <class S>
 void judge_family(BlendFamily family, Random& random) {
