@@ -10,11 +10,15 @@
 
 #include "operators/additive.hpp"
 #include "operators/algebraic.hpp"
+#include "operators/deformations.hpp"
+#include "operators/exact_solids.hpp"
+#include "operators/metrics.hpp"
 #include "operators/parameter.hpp"
 #include "operators/patch.hpp"
 #include "operators/placement.hpp"
 #include "operators/ray.hpp"
 #include "operators/sharp.hpp"
+#include "operators/skeletons.hpp"
 #include "operators/soft.hpp"
 #include "operators/solids.hpp"
 
@@ -59,6 +63,14 @@ using All =
          HoffmannHopcroftOperator<SetOperation::unite>, HoffmannHopcroftOperator<SetOperation::intersect>,
          HoffmannHopcroftOperator<SetOperation::subtract>, LimingOperator, FunctionalSplineOperator,
          RibbonPatchOperator, CornerPatchOperator, MorphOperator<FieldKind::distance>,
-         MorphOperator<FieldKind::intensity>, MorphOperator<FieldKind::ray>, SwellOperator, FadeOperator>;
+         MorphOperator<FieldKind::intensity>, MorphOperator<FieldKind::ray>, SwellOperator, FadeOperator,
+         PolylineOperator, PolygonOperator, CubicCurveOperator,
+         TaperedCapsuleOperator, ConeFrustumOperator, TorusOperator, DiscOperator, HalfSpaceOperator,
+         InfiniteCylinderOperator, InfiniteConeOperator, OffsetOperator, RoundedBoxOperator,
+         RaySlabOperator, RayOfDistanceOperator, BoxMetricOperator, GeneralisedDistanceOperator,
+         SuperquadricOperator, RaySweepOperator, AlgebraicSphereOperator,
+         AlgebraicCylinderOperator, AlgebraicConeOperator, AlgebraicTorusOperator,
+         NoiseOperator<FieldKind::distance>, NoiseOperator<FieldKind::intensity>, ScaleAlongOperator,
+         ScaleAboutOperator, ScaleFromAxisOperator>;
 
 }  // namespace nearfield::host::operators

@@ -17,13 +17,13 @@ bool is_floor_of_root(uint64_t x, uint64_t root) {
   return root <= 0xffffffffu && root * root <= x && x - root * root <= 2 * root;
 }
 
-// Counts violations of what root_parts() promises, and keeps an example of each kind.
+// Counts violations of what root_parts() and integer_sqrt() promise, and keeps an example of each kind.
 class PartsCheck {
  public:
   void add(uint64_t x) {
     const RootParts parts = root_parts(x);
     ++count_;
-    if (!is_floor_of_root(x, parts.root)) note(wrong_root_, x);
+    if (!is_floor_of_root(x, parts.root) || integer_sqrt(x) != parts.root) note(wrong_root_, x);
     if (x == 0) {
       if (parts.root != 0 || parts.reciprocal != 0 || parts.shift != 0) note(wrong_root_, x);
       return;

@@ -1,4 +1,4 @@
-// What query_digest() gives on every compiler, optimisation level and machine.
+// What query_digest() and entry_digest() give on every compiler, optimisation level and machine.
 #pragma once
 
 #include <stdint.h>
@@ -9,5 +9,9 @@ inline constexpr uint32_t kDigestQueries = 100000;
 inline constexpr uint64_t kFixed27Digest = 0x3ab4ea56e7b069f6u;
 inline constexpr uint64_t kFixed16Digest = 0x96eca98f1a38e8dfu;
 inline constexpr uint64_t kFloatDigest = 0x74326512fb88be01u;
+
+inline constexpr uint64_t kFixed27EntryDigest = 0xa44767e52bc772cau;
+inline constexpr uint64_t kFixed16EntryDigest = 0xaf07fff033194df7u;
+inline constexpr uint64_t kFloatEntryDigest = 0x53d432e3687e1401u;
 
 }  // namespace nearfield::golden

@@ -14,7 +14,7 @@ struct SphereRow {
   static Parameters draw(Random& random, Real size) {
     return {random.vector(-size, size), random.uniform(0.001L, 1) * size};
   }
-  static std::vector<Parameters> degenerate(Real size) { return {{{}, size}, {{size, -size, 0}, 1e-3L}}; }
+  static std::vector<Parameters> degenerate(Real size) { return {{{}, size}, {{size, -size, 0}, 1e-3L}, {{0, size, 0}, 0}}; }
   static std::vector<Vec3> places(const Parameters& p) { return {p.center, p.center + Vec3{p.radius, 0, 0}}; }
   template <class S>
   static auto node(const Parameters& p) {

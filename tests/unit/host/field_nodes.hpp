@@ -19,6 +19,25 @@ inline const std::map<std::string_view, std::string> operator_rows = {
      "\"rpy\": [0.1, 0.2, 0.3]"},
     {"box", "\"size\": [0.4, 0.5, 0.6], \"rpy\": [0.1, 0.2, 0.3]"},
     {"cylinder", "\"radius\": 0.3, \"height\": 0.4, \"position\": [0, 0.1, 0]"},
+    {"polyline",
+     "\"points\": [[0, 0, 0], [0.2, 0, 0.1], [0.2, 0.3, -0.4]], \"radius\": 0.1, "
+     "\"rpy\": [0.1, 0.2, 0.3]"},
+    {"polygon",
+     "\"vertices\": [[0, 0], [0.5, 0], [0.5, 0.3], [0.1, 0.2]], \"position\": [-0.3, 0, 0]"},
+    {"tapered_capsule",
+     "\"from\": [0, 0, 0], \"to\": [0.2, 0, 0.4], \"radius_from\": 0.2, \"radius_to\": 0.1, "
+     "\"rpy\": [0.1, 0.2, 0.3]"},
+    {"cone_frustum", "\"radius_below\": 0.3, \"radius_above\": 0.1, \"height\": 0.4, \"rpy\": [0.1, 0.2, 0.3]"},
+    {"torus", "\"ring_radius\": 0.4, \"tube_radius\": 0.1, \"rpy\": [0.1, 0.2, 0.3]"},
+    {"disc", "\"radius\": 0.2, \"thickness\": 0.1, \"rpy\": [0.1, 0.2, 0.3]"},
+    {"half_space", "\"normal\": [1, 2, 3], \"position\": [0, 0, -0.5]"},
+    {"infinite_cylinder", "\"radius\": 0.2, \"position\": [0.1, 0, 0], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"infinite_cone", "\"half_angle\": 0.5, \"position\": [0, 0.1, 0], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"offset", "\"radius\": 0.1"},
+    {"rounded_box", "\"size\": [0.4, 0.5, 0.6], \"radius\": 0.1, \"rpy\": [0.1, 0.2, 0.3]"},
+    {"cubic_curve",
+     "\"control_points\": [[0, 0, 0], [0.2, 0, 0.1], [0.3, 0.1, 0.2], [0.5, 0, 0]], \"halvings\": 1, "
+     "\"radius\": 0.1, \"position\": [-0.2, 0.1, 0]"},
     {"union", ""},
     {"intersection", ""},
     {"subtraction", ""},
@@ -55,6 +74,19 @@ inline const std::map<std::string_view, std::string> operator_rows = {
      "\"influence_radius\": 0.9, \"normal\": [1, 2, 3], "
      "\"position\": [0, 0, -0.5]"},
     {"lp_distance", "\"exponent\": 3, \"semi_axes\": [0.8, 0.9, 1], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"ray_slab", "\"influence_radius\": 0.9, \"normal\": [1, 2, 3], \"position\": [0, 0, -0.5]"},
+    {"ray_of_distance", "\"influence_radius\": 0.9"},
+    {"box_metric", "\"semi_axes\": [0.8, 0.9, 1], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"generalised_distance",
+     "\"exponent\": 4, \"influence_radius\": 0.9, \"normals\": [[1, 0, 0], [0, 1, 1], [-1, 1, 0.5]]"},
+    {"superquadric", "\"exponents\": [0.6, 3], \"semi_axes\": [1.8, 1.9, 1], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"ray_sweep",
+     "\"exponents\": [4, 2], \"semi_axes\": [0.8, 0.9, 1], \"length\": 0.5, \"twist\": 0.7, "
+     "\"end_scale\": 0.8, \"position\": [0.1, 0, 0], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"algebraic_sphere", "\"radius\": 0.3, \"position\": [0.1, 0.2, 0]"},
+    {"algebraic_cylinder", "\"radius\": 0.3, \"size\": 0.6, \"position\": [0.1, 0, 0], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"algebraic_cone", "\"half_angle\": 0.6, \"position\": [0.1, 0, 0], \"rpy\": [0.1, 0.2, 0.3]"},
+    {"algebraic_torus", "\"ring_radius\": 0.5, \"tube_radius\": 0.2, \"rpy\": [0.1, 0.2, 0.3]"},
     {"variable_influence", "\"inner_range\": 0.5"},
     {"super_ellipsoidal_union", "\"exponent\": 3"},
     {"super_ellipsoidal_intersection", "\"exponent\": 3"},
@@ -82,6 +114,11 @@ inline const std::map<std::string_view, std::string> operator_rows = {
     {"fade", "\"parameter_slot\": 0"},
     {"ribbon_patch", "\"side_weights\": [1, 0.5], \"centre_weight\": 0.25"},
     {"corner_patch", "\"side_weights\": [1, 0.5, 0.75], \"exponent\": 3"},
+    {"noise_distance", "\"amplitude\": 0.05, \"frequency\": 2.5, \"octaves\": 3, \"seed\": 7"},
+    {"noise_intensity", "\"amplitude\": 0.5, \"frequency\": 2.5"},
+    {"scale_along", "\"from\": [0, 0, -0.5], \"to\": [0.1, 0, 0.5], \"values\": [1, 0.8, 1.3, 1.1]"},
+    {"scale_about", "\"values\": [1, 1.2, 0.9, 1.1, 1], \"core\": 0.2, \"twist\": 1.5"},
+    {"scale_from_axis", "\"limit\": 0.75, \"values\": [1, 1.4, 0.9]"},
 };
 
 // A leaf of a kind, one of several different ones.

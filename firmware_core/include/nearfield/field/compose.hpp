@@ -125,7 +125,7 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
     } else {
       Out of[static_cast<size_t>(count)] = {};
       Operands::template evaluate<Out, S>(of, node.operands, p, slots);
-      return combined<Out>(node, of, slots);
+      return combined<Out>(node, p, of, slots);
     }
   }
   static constexpr bool has_highest = passes_highest<T> && Operands::has_highest;
@@ -136,7 +136,7 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
     } else {
       Highest<S> of[static_cast<size_t>(count)] = {};
       Operands::template highest<S>(of, node.operands, p, ball, slots);
-      if constexpr (!has_own_highest<T>) return combined<Highest<S>>(node, of, slots);
+      if constexpr (!has_own_highest<T>) return combined<Highest<S>>(node, p, of, slots);
       else return combined_highest(node, of, ball, slots);
     }
   }
@@ -178,8 +178,10 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
     else return operation.highest(of[0], of[1], ball);
   }
   template <class Out>
-  static constexpr Out combined(const Node& node, const Out* of, [[maybe_unused]] const Slots<S>& slots) {
+  static constexpr Out combined(const Node& node, [[maybe_unused]] const Vector3<S>& p, const Out* of,
+                                [[maybe_unused]] const Slots<S>& slots) {
     const T& operation = node.operation;
+    static_assert(!takes_point_of<T> || count == 1, "operations that take the point have one operand");
     if constexpr (takes_parameter_of<T>) {
       const S parameter = slots.parameters[operation.slot];
       if constexpr (count == 1) return operation.combine(of[0], parameter);
@@ -187,6 +189,9 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
     } else if constexpr (operand_count_of<T> == kAnyNumber) {
       if constexpr (uses_table<T>) return operation.template combine_all<Out>(of, node.table);
       else return operation.template combine_all<Out>(of);
+    } else if constexpr (takes_point_of<T>) {
+      if constexpr (uses_table<T>) return operation.combine(p, of[0], node.table);
+      else return operation.combine(p, of[0]);
     } else if constexpr (count == 1) {
       if constexpr (uses_table<T>) return operation.combine(of[0], node.table);
       else return operation.combine(of[0]);

@@ -144,6 +144,10 @@ template <class S, class Operations = AllOperations> class Program {
       const S parameter = m.parameters[operation.slot];
       if constexpr (count == 1) m.top = operation.combine(m.top, parameter);
       else m.top = operation.combine(m.pop_below(), m.top, parameter);
+    } else if constexpr (detail::takes_point_of<T>) {
+      static_assert(count == 1, "operations that take the point have one operand");
+      if constexpr (detail::uses_table<T>) m.top = operation.combine(m.point, m.top, table(payload[payload_words<T>]));
+      else m.top = operation.combine(m.point, m.top);
     } else if constexpr (detail::uses_table<T>) {
       const TableView<S> view = table(payload[payload_words<T>]);
       if constexpr (count == 0) m.push(operation.template evaluate<Out>(m.point, view));

@@ -80,7 +80,8 @@ template <class S> struct Swell {
     swollen.magnitude = operands[0].magnitude + absolute(radius);
     // The radius's own rounding, the product's; float: the sum's as well.
     swollen.error = operands[0].error + T::times(T::rounding_unit(swollen.magnitude), T::is_fixed ? 1 : 3);
-    swollen.valid = operands[0].valid && operands[0].magnitude > S{} && swollen.magnitude < T::greatest() &&
+    const S greatest_value = swollen.magnitude + swollen.erosion + swollen.inflation + swollen.error;
+    swollen.valid = operands[0].valid && operands[0].magnitude > S{} && greatest_value < T::greatest() &&
                     within(radius, -T::domain(), T::domain());
     return swollen;
   }

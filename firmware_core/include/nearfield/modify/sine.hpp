@@ -43,9 +43,8 @@ template <class S> struct SineCosine {
 // the table's 5, the reduction's 3.
 inline constexpr uint32_t kSineErrorUnits = 8;
 
-// For |angle| <= 16 rad; beyond, Fixed with wider range lose accuracy, and a float (NaN as well) counts as 0. Cost on Cortex-M4: about 50 instructions.
-template <class S> constexpr SineCosine<S> sine_cosine(S angle) {
-  const uint32_t phase = detail::phase_of(angle);
+// Of a fraction of a turn in Q32.
+template <class S> constexpr SineCosine<S> sine_cosine_of_phase(uint32_t phase) {
   const uint32_t rest = phase & 0x3fffffffu;
   const TableView<S> table = detail::kQuarterSine<S>.view();
   const Unit<S> rising = sample_table<false>(table, detail::quarter_argument(rest, Unit<S>{})).value;
@@ -57,5 +56,8 @@ template <class S> constexpr SineCosine<S> sine_cosine(S angle) {
     default: return {-falling, rising};
   }
 }
+
+// For |angle| <= 16 rad; beyond, Fixed with wider range lose accuracy, and a float (NaN as well) counts as 0. Cost on Cortex-M4: about 50 instructions.
+template <class S> constexpr SineCosine<S> sine_cosine(S angle) { return sine_cosine_of_phase<S>(detail::phase_of(angle)); }
 
 }  // namespace nearfield

@@ -9,8 +9,11 @@ namespace detail {
 
 // Tangents to 1/sqrt(u) at the middle of each of the 48 intervals of width 1/64 that cover [1/4, 1).
 struct ReciprocalRootSeeds {
-  int32_t value[48] = {};  // Q30
-  int32_t slope[48] = {};  // minus the slope, Q28
+  struct Tangent {
+    int32_t value = 0;  // Q30
+    int32_t slope = 0;  // minus the slope, Q28
+  };
+  Tangent tangent[48];
 };
 
 constexpr ReciprocalRootSeeds make_reciprocal_root_seeds() {
@@ -19,61 +22,91 @@ constexpr ReciprocalRootSeeds make_reciprocal_root_seeds() {
     const double u = (2.0 * (i + 16) + 1.0) / 128.0;
     double y = 1.5;
     for (int step = 0; step < 6; ++step) y = y * (3.0 - u * y * y) / 2.0;
-    seeds.value[i] = static_cast<int32_t>(y * 1073741824.0);
-    seeds.slope[i] = static_cast<int32_t>(y / (2.0 * u) * 268435456.0);
+    seeds.tangent[i] = {static_cast<int32_t>(y * 1073741824.0), static_cast<int32_t>(y / (2.0 * u) * 268435456.0)};
   }
   return seeds;
 }
 
 inline constexpr ReciprocalRootSeeds kReciprocalRootSeeds = make_reciprocal_root_seeds();
 
-// x * 4^shift in [2^62, 2^64), y just below 2^63 / sqrt(that), Q31, and half of it. The half is computed in such a way
-// that compilers do not know its sign and multiply it with one instruction.
-struct Normalised {
+// x * 4^shift in [2^62, 2^64), and about 2^62 / sqrt(that): right to 19 bits.
+struct RootSeed {
   uint64_t m;
-  uint32_t y;
-  int32_t half;
+  int32_t reciprocal;  // Q30
   int shift;
 };
 
-constexpr Normalised normalise(uint64_t x) {
-  const int shift = leading_zeros(x) >> 1;
-  const uint64_t m = x << (2 * shift);
-  const uint32_t u = static_cast<uint32_t>(m >> 32);  // [1/4, 1) in Q32
-
-  const uint32_t index = (u >> 26) - 16;
+// Precondition: x > 0.
+constexpr RootSeed root_seed(uint64_t x) {
+  const uint32_t high = static_cast<uint32_t>(x >> 32), low = static_cast<uint32_t>(x);
+  uint32_t u = 0, rest = 0;  // [1/4, 1) in Q32, and what follows it
+  int shift = 0;
+  if (high != 0) {
+    const int twice = leading_zeros(high) & ~1;
+    u = high << twice | low >> 1 >> (31 - twice);
+    rest = low << twice;
+    shift = twice >> 1;
+  } else {
+    const int twice = leading_zeros(low) & ~1;
+    u = low << (twice & 31);
+    shift = 16 + (twice >> 1);
+  }
+  const ReciprocalRootSeeds::Tangent& tangent = kReciprocalRootSeeds.tangent[(u >> 26) - 16];
   const int32_t from_middle = static_cast<int32_t>((u & 0x03ffffffu) << 2) - 0x08000000;  // Q34
-  const int32_t seed = kReciprocalRootSeeds.value[index] - multiply_high(from_middle, kReciprocalRootSeeds.slope[index]);
-  // Newton steps y += y (1 - u y^2) / 2: the first in Q28, which is as good as its result can be ...
+  const int32_t seed = tangent.value - multiply_high(from_middle, tangent.slope);
+  // A Newton step y += y (1 - u y^2) / 2 in Q28, which is as good as its result can be.
   const uint32_t square = multiply_high(static_cast<uint32_t>(seed), static_cast<uint32_t>(seed));
   const int32_t residual = (1 << 28) - static_cast<int32_t>(multiply_high(u, square));
-  const int32_t better = seed + multiply_high(seed, residual * 8);  // Q30
-  // ... the second in Q62.
-  const uint32_t doubled = static_cast<uint32_t>(better) << 1;
-  const uint64_t product = static_cast<uint64_t>(u) * multiply_high(doubled, doubled);
+  return {static_cast<uint64_t>(u) << 32 | rest, seed + multiply_high(seed, residual * 8), shift};
+}
+
+// Just below 2^62 / sqrt(m), within 2^-27 of it (relatively). Computed in such a way that compilers do not know its sign
+// and multiply it with one instruction.
+constexpr int32_t fine_reciprocal(const RootSeed& seed) {
+  // Another step in Q62.
+  const uint32_t doubled = static_cast<uint32_t>(seed.reciprocal) << 1;
+  const uint64_t product = (seed.m >> 32) * multiply_high(doubled, doubled);
   const int32_t rest = static_cast<int32_t>(static_cast<int64_t>((uint64_t{1} << 62) - product) >> 30);
-  const uint32_t y = doubled + static_cast<uint32_t>(multiply_high(better, rest));
-  // Less 8: below 1/sqrt(u) whatever was truncated above; see tests/exhaustive/sqrt_test.cpp.
-  const int32_t half = (static_cast<int32_t>(y ^ 0x80000000u) >> 1) + 0x40000000 - 4;
-  return {m, y - 8, half, shift};
+  const uint32_t y = doubled + static_cast<uint32_t>(multiply_high(seed.reciprocal, rest));
+  // Half of it, less 4: below whatever was truncated above; see tests/exhaustive/sqrt_test.cpp.
+  return (static_cast<int32_t>(y ^ 0x80000000u) >> 1) + 0x40000000 - 4;
+}
+
+// floor(sqrt(m)).
+constexpr uint32_t normalised_root(const RootSeed& seed) {
+  // Less 16: below 2^63 / sqrt(m) whatever was truncated, so that what follows is not above the root.
+  const uint32_t y = (static_cast<uint32_t>(seed.reciprocal) << 1) - 16;
+  // The first bits, and all but the last unit from what remains: (m - below^2) / (2 sqrt(m)).
+  const uint32_t below = multiply_high(static_cast<uint32_t>(seed.m >> 32), y) << 1;
+  const uint32_t remainder = static_cast<uint32_t>((seed.m - static_cast<uint64_t>(below) * below) >> 14);
+  uint32_t root = below + (multiply_high(remainder, y) >> 18);
+  if (seed.m - static_cast<uint64_t>(root) * root > 2 * static_cast<uint64_t>(root)) ++root;
+  return root;
 }
 
 }  // namespace detail
 
 // reciprocal / 2^30 approximates 2^(32 - shift) / sqrt(x), never above it, within 2^-27 of it (relatively); below
 // 2^31. sqrt(x) lies in [2^(31 - shift), 2^(32 - shift)). Both are 0 for x = 0.
-// Cost: 50 instructions on Cortex-M4; the same for every x > 0.
+// Cost: 50 instructions on Cortex-M4.
 struct ReciprocalRoot {
   int32_t reciprocal;
   int shift;
 };
 constexpr ReciprocalRoot reciprocal_root(uint64_t x) {
   if (x == 0) return {0, 0};
-  const detail::Normalised n = detail::normalise(x);
-  return {n.half, n.shift};
+  const detail::RootSeed seed = detail::root_seed(x);
+  return {detail::fine_reciprocal(seed), seed.shift};
 }
 
-// The same, with root = floor(sqrt(x)), exact for every x. Cost: 75 instructions on Cortex-M4.
+// floor(sqrt(x)), exact for every x. Cost: 56 instructions on Cortex-M4.
+constexpr uint32_t integer_sqrt(uint64_t x) {
+  if (x == 0) return 0;
+  const detail::RootSeed seed = detail::root_seed(x);
+  return detail::normalised_root(seed) >> seed.shift;
+}
+
+// Both. Cost: 70 instructions on Cortex-M4.
 struct RootParts {
   uint32_t root;
   int32_t reciprocal;
@@ -81,18 +114,10 @@ struct RootParts {
 };
 constexpr RootParts root_parts(uint64_t x) {
   if (x == 0) return {0, 0, 0};
-  const detail::Normalised n = detail::normalise(x);
-  const uint32_t below = static_cast<uint32_t>(((n.m >> 32) * n.y) >> 31);
-  const uint64_t remainder = n.m - static_cast<uint64_t>(below) * below;
-  const uint32_t step = static_cast<uint32_t>(remainder >> 6);
-  uint32_t root = below + (step > 8 ? multiply_high(step - 8, n.y) >> 26 : 0);
-  const uint64_t rest = n.m - static_cast<uint64_t>(root) * root;
-  if (rest > 2 * static_cast<uint64_t>(root)) ++root;
-  return {root >> n.shift, n.half, n.shift};
+  const detail::RootSeed seed = detail::root_seed(x);
+  const uint32_t root = detail::normalised_root(seed) >> seed.shift;
+  return {root, detail::fine_reciprocal(seed), seed.shift};
 }
-
-// floor(sqrt(x)).
-constexpr uint32_t integer_sqrt(uint64_t x) { return root_parts(x).root; }
 
 // Square root of a float >= 0, correctly rounded (the same bits as IEEE squareRoot); NaN for NaN, 0 below 0.
 constexpr float square_root(float x) {

@@ -15,16 +15,13 @@ template <class S> struct Box {
 
   template <class Out> constexpr Out evaluate(const Vector3<S>& p) const {
     const Vector3<S> q = subtract_in_range(p, center);
-    const S x = subtract_in_range(absolute(q.x), half_edges.x);
-    const S y = subtract_in_range(absolute(q.y), half_edges.y);
-    const S z = subtract_in_range(absolute(q.z), half_edges.z);
-    const S zero{};
-    const S most = greatest_of_two(greatest_of_two(x, y), z);
+    const S x = beyond(q.x, half_edges.x), y = beyond(q.y, half_edges.y), z = beyond(q.z, half_edges.z), zero{};
+    const Vector3<S> outside = {not_negative(x), not_negative(y), not_negative(z)};
     Out out;
-    if (most > zero) {
-      const Vector3<S> outside = {greatest_of_two(x, zero), greatest_of_two(y, zero), greatest_of_two(z, zero)};
+    if (!is_zero(outside)) {
       out = from_offset<Out>(outside, zero);
     } else {
+      const S most = greatest_of_two(greatest_of_two(x, y), z);
       out.value = most;
       if constexpr (Out::has_gradient) {
         const S one = ScalarTraits<S>::one();
@@ -48,6 +45,16 @@ template <class S> struct Box {
                        valid_length(half_edges.z);
     return exact_distance<S>(reach, extent, valid, 4);
   }
+
+ private:
+  // |q| - half.
+  static constexpr S beyond(S q, S half) {
+    return subtract_in_range(q < S{} ? subtract_in_range(S{}, q) : q, half);
+  }
+  template <int F> static constexpr Fixed<F> not_negative(Fixed<F> x) {
+    return Fixed<F>::from_raw(x.raw() & ~(x.raw() >> 31));
+  }
+  static constexpr float not_negative(float x) { return x < 0.0f ? 0.0f : x; }
 };
 
 }  // namespace nearfield

@@ -37,8 +37,7 @@ template <class S> struct Capsule {
   // From the nearest point of the segment to p.
   constexpr Vector3<S> offset_to(const Vector3<S>& p) const {
     const Vector3<S> relative = subtract_in_range(p, from);
-    const S place = clamp(narrow_in_range<S>(dot(relative, axis)), S{}, length);
-    return subtract_in_range(relative, along(place));
+    return subtract_in_range(relative, along(on_segment(narrow_in_range<S>(dot(relative, axis)), length)));
   }
 
   // Rounding units: start sqrt(3)/2, axis (6 units of 2^-30 a component, at 8 m) 6, place 1/2, its product sqrt(3)/2,
@@ -63,6 +62,14 @@ template <class S> struct Capsule {
   }
 
  private:
+  // The place limited to the segment. Without branches: where one is taken, compilers would evaluate what follows twice.
+  template <int F> static constexpr Fixed<F> on_segment(Fixed<F> place, Fixed<F> length) {
+    const int32_t not_before = place.raw() & ~(place.raw() >> 31);
+    const int32_t beyond = wrapping_subtract(not_before, length.raw());
+    return Fixed<F>::from_raw(wrapping_add(length.raw(), beyond & (beyond >> 31)));
+  }
+  static constexpr float on_segment(float place, float length) { return clamp(place, 0.0f, length); }
+
   // Zero together with the length, otherwise of unit length within the slack.
   constexpr bool valid_axis(int axis_slack) const {
     using T = ScalarTraits<Unit<S>>;

@@ -15,6 +15,8 @@
 // With `takes_parameter` true it has `uint32_t slot`, and combine() and highest() take the value of that parameter slot,
 // in [0, 1], as their last argument.
 //
+// With `takes_point` true, of one operand, combine() takes the point before it, in the coordinates of the frame at hand.
+//
 // With `takes_partial` true it takes operands whose certificate is partial; with `checks_table` true, bool fits(table) says
 // whether a table is of the form that it samples.
 #pragma once
@@ -44,6 +46,8 @@ template <class T, class = void> inline constexpr bool checks_table_of = false;
 template <class T> inline constexpr bool checks_table_of<T, decltype(void(T::checks_table))> = T::checks_table;
 template <class T, class = void> inline constexpr bool takes_parameter_of = false;
 template <class T> inline constexpr bool takes_parameter_of<T, decltype(void(T::takes_parameter))> = T::takes_parameter;
+template <class T, class = void> inline constexpr bool takes_point_of = false;
+template <class T> inline constexpr bool takes_point_of<T, decltype(void(T::takes_point))> = T::takes_point;
 template <class T, class = void> inline constexpr bool uses_table = false;
 template <class T> inline constexpr bool uses_table<T, decltype(void(T::samples_table))> = T::samples_table;
 

@@ -5,8 +5,8 @@
 
 namespace nearfield {
 
-// Solid ball. Parameters in metres: centre within the domain, 0 < radius <= domain.
-// Exact signed distance, rounded down; budget: operations.hpp.
+// Solid ball. Parameters in metres: centre within the domain, radius in [0, domain]; 0 is a bare point.
+// Exact signed distance, rounded down; no direction in the centre. Budget: operations.hpp.
 template <class S> struct Sphere {
   using Scalar = S;
   static constexpr Kind kind = Kind::distance;
@@ -19,9 +19,9 @@ template <class S> struct Sphere {
   // Rounding units: centre sqrt(3)/2, radius 1/2, root 1.
   constexpr Certificate<S> certificate(Reach<S> reach) const {
     const S extent = length_of<S>(sum_of_squares(center.x, center.y, center.z)) + radius;
-    return exact_distance<S>(reach, extent, coordinates_in_domain(center) && valid_length(radius), 3);
+    const bool valid = coordinates_in_domain(center) && within(radius, S{}, ScalarTraits<S>::domain());
+    return exact_distance<S>(reach, extent, valid, 3);
   }
-
 };
 
 }  // namespace nearfield
