@@ -53,7 +53,7 @@ struct ScaleAboutRow {
               {segment, {0.25L * size, 0.9L}, 9, 0, 4 * size}};
     return {{segment, {least, 1}, 2},
             {segment, {8 * size, 1}, 2},
-            {segment, {0.25L * size, 0.9L}, 9, std::min<Real>(4 / size, 3)}};
+            {segment, {0.25L * size, 0.9L}, 4, std::min<Real>(1 / size, 3)}};
   }
   static std::vector<Vec3> places(const Parameters& p) {
     const Real core = p.core.radius, ring = p.ring;

@@ -15,7 +15,7 @@ inline Real ray_radius(Random& random, Real size) {
 /// small things cannot be told from differences.
 template <class S>
 Real telling(Real size) {
-  return std::max(size, (ScalarTraits<S>::is_fixed ? 0.05L : 0.2L) * real(ScalarTraits<S>::domain()));
+  return std::max(size, (ScalarTraits<S>::is_fixed ? 0.05L : 0.4L) * real(ScalarTraits<S>::domain()));
 }
 
 struct Skeleton {

@@ -2,7 +2,7 @@
 
 #include <nearfield/modify/ray_scale.hpp>
 #include <nearfield/modify/sine.hpp>
-#include <nearfield/number/diamond_angle.hpp>
+#include <nearfield/table/diamond_angle.hpp>
 
 namespace nearfield {
 
