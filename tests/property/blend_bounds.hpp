@@ -4,8 +4,7 @@
 
 #include <nearfield/field/program.hpp>
 
-#include "property/conversion.hpp"
-#include "property/failures.hpp"
+#include "property/bound.hpp"
 #include "reference/field.hpp"
 #include "reference/random.hpp"
 
@@ -57,16 +56,6 @@ class BlendBounds {
   Real inflation_share() const { return inflation_.share; }
 
  private:
-  struct Bound {
-    Failures failures;
-    Real share = 0;
-
-    void note(Real found, Real bound) {
-      failures.check(found <= bound, [&](std::ostream& out) { out << found << " of " << bound; });
-      if (bound > 0) share = std::max(share, found / bound);
-    }
-  };
-
   Bound error_, rate_, erosion_, inflation_;
   long long points_ = 0;
 };

@@ -1,7 +1,7 @@
 /// Certificates of random compositions of rays, algebraic values and intensities, each blend by itself,
 /// judged by the reference, and how near to its bounds each comes. Distances: blend_certificate_test.cpp.
 
-#include "property/failures.hpp"
+#include "property/bound.hpp"
 #include "property/random_kinds.hpp"
 
 #include <cstdio>
@@ -54,16 +54,6 @@ class KindTrial {
   }
 
  private:
-  struct Bound {
-    Failures failures;
-    Real share = 0;
-
-    void note(Real found, Real bound) {
-      failures.check(found <= bound, [&](std::ostream& out) { out << found << " of " << bound; });
-      if (bound > 0) share = std::max(share, found / bound);
-    }
-  };
-
   /// Where the field rises most, by differences over h.
   Vec3 steepest(const CertifiedNode<S>& field, const Vec3& at, Real value, Real h) {
     const Vec3 rise{field.exact(at + Vec3{h, 0, 0}) - value, field.exact(at + Vec3{0, h, 0}) - value,

@@ -2,7 +2,7 @@
 // slot (KW: animation, soft to hard, metamorphosis).
 #pragma once
 
-#include <nearfield/shape/operands.hpp>
+#include <nearfield/modify/offset.hpp>
 
 namespace nearfield {
 
@@ -75,15 +75,8 @@ template <class S> struct Swell {
     return out;
   }
   constexpr Certificate<S> certificate(OperandCertificates<S> operands, const TableFacts&, Reach<S>) const {
-    using T = ScalarTraits<S>;
-    Certificate<S> swollen = operands[0];
-    swollen.magnitude = operands[0].magnitude + absolute(radius);
     // The radius's own rounding, the product's; float: the sum's as well.
-    swollen.error = operands[0].error + T::times(T::rounding_unit(swollen.magnitude), T::is_fixed ? 1 : 3);
-    const S greatest_value = swollen.magnitude + swollen.erosion + swollen.inflation + swollen.error;
-    swollen.valid = operands[0].valid && operands[0].magnitude > S{} && greatest_value < T::greatest() &&
-                    within(radius, -T::domain(), T::domain());
-    return swollen;
+    return detail::offset_certificate(operands[0], radius, ScalarTraits<S>::is_fixed ? 1 : 3);
   }
 };
 
