@@ -25,6 +25,7 @@
 #include <nearfield/modify/sweep.hpp>
 #include <nearfield/shape/algebraic.hpp>
 #include <nearfield/shape/algebraic_torus.hpp>
+#include <nearfield/shape/bicubic_patch.hpp>
 #include <nearfield/shape/box.hpp>
 #include <nearfield/shape/capsule.hpp>
 #include <nearfield/shape/cone_frustum.hpp>
@@ -105,6 +106,7 @@ namespace nearfield {
   X(0x3a, polygon, Polygon, 339, 429)                                             \
   X(0x3b, polyline, Polyline, 350, 438)                                           \
   X(0x3c, cubic_curve, CubicCurve, 1402, 1485)                                    \
+  X(0x3d, bicubic_patch, BicubicPatch, 5000, 5100)                                \
   X(0x3e, ray_slab, RaySlab, 112, 166)                                            \
   X(0x3f, ray_of_distance, RayOfDistance, 54, 119)                                \
   X(0x40, ray_sweep, RaySweep, 507, 780)                                          \
