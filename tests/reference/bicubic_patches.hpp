@@ -159,7 +159,12 @@ class BicubicSurface {
       if ((u_fixed || a > 0) && (v_fixed || c > 0) && (u_fixed || v_fixed || determinant > 0)) {
         const Real step_u = u_fixed ? 0 : v_fixed ? -here.u / a : (b * here.v - c * here.u) / determinant;
         const Real step_v = v_fixed ? 0 : u_fixed ? -here.v / c : (b * here.u - a * here.v) / determinant;
-        const Place next{std::clamp<Real>(from.u + step_u, 0, 1), std::clamp<Real>(from.v + step_v, 0, 1)};
+        Place next{std::clamp<Real>(from.u + step_u, 0, 1), std::clamp<Real>(from.v + step_v, 0, 1)};
+        // Where one is held back, the other one goes where it then is least.
+        if (next.u != from.u + step_u)
+          next.v = std::clamp<Real>(from.v - (here.v + here.uv * (next.u - from.u)) / c, 0, 1);
+        else if (next.v != from.v + step_v)
+          next.u = std::clamp<Real>(from.u - (here.u + here.uv * (next.v - from.v)) / a, 0, 1);
         const Real change = std::fabs(next.u - from.u) + std::fabs(next.v - from.v);
         // Newton's next step would be the square of that.
         const bool converges_fast = std::min(a, c) > 1e-3L * here.size && determinant > 1e-3L * a * c;

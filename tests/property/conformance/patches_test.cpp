@@ -22,10 +22,12 @@ struct Patch {
   }
 };
 
-/// A parallelogram of edges of `step`, each point off by up to `bend`.
+/// A parallelogram of edges of `step` and less, each point off by up to `bend`. None too thin for the reference's grid.
 std::vector<Vec3> drawn_points(Random& random, Real size, Real step, Real bend) {
-  const Vec3 corner = 0.5L * random.vector(-size, size);
-  const Vec3 along_u = step * random.unit_vector(), along_v = step * random.uniform(0.2L, 1) * random.unit_vector();
+  const Vec3 corner = 0.5L * random.vector(-size, size), direction_u = random.unit_vector();
+  Vec3 direction_v = random.unit_vector();
+  while (std::fabs(dot(direction_u, direction_v)) > 0.9L) direction_v = random.unit_vector();
+  const Vec3 along_u = step * direction_u, along_v = step * random.uniform(0.2L, 1) * direction_v;
   std::vector<Vec3> control;
   for (int i = 0; i < 16; ++i)
     control.push_back(corner + Real(i / 4) * along_u + Real(i % 4) * along_v + random.uniform(0, bend) * random.unit_vector());
