@@ -36,8 +36,8 @@ uint32_t nearfield_budget(const nearfield_field* field) {
   if (!program.valid()) return 0;
   // Copies of the field and of the poses come on top.
   using nearfield::QueryPart;
-  const nearfield::Budget copies = nearfield::cost(nearfield::kThisTarget, QueryPart::c_interface) +
-                                   program.slot_count() * nearfield::cost(nearfield::kThisTarget, QueryPart::c_pose);
+  const nearfield::Budget copies = nearfield::kThisTarget.cost(QueryPart::c_interface) +
+                                   program.slot_count() * nearfield::kThisTarget.cost(QueryPart::c_pose);
   return (program.budget() + copies).gradient;
 }
 

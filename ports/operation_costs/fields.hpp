@@ -102,7 +102,7 @@ inline Budget box_cost(const AlgebraicPlane<Q>& field, const Vector3<Q>& half) {
 
 inline void report_frames() {
   const auto report_frame = [](const char* name, Operation enter, const Budget& measured) {
-    report(Row::operation, name, measured, cost(kTarget, enter));
+    report(Row::operation, name, measured, kTarget.cost(enter));
   };
   Trial trial;
   trial.operand(kBall);

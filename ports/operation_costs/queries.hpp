@@ -138,7 +138,7 @@ struct FieldOfLittle {
   static constexpr bool has_highest() { return true; }
   static constexpr uint32_t slot_count() { return 0; }
   static constexpr uint32_t parameter_count() { return 0; }
-  static constexpr Budget budget(Target = kTarget) { return {}; }
+  static constexpr Budget budget(const Target& = kTarget) { return {}; }
   const Certificate<Q>& certificate() const { return certificate_; }
   template <class Out>
   __attribute__((noinline)) Out evaluate(const Vector3<Q>& p, const Slots<Q>&) const {

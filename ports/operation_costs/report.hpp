@@ -39,7 +39,7 @@ inline void report(Row kind, const char* name, const Budget& measured, const Bud
   failures += !enough || too_much ? 1 : 0;
 }
 inline void report_part(const char* name, QueryPart part, const Budget& measured) {
-  report(Row::part, name, measured, cost(kTarget, part));
+  report(Row::part, name, measured, kTarget.cost(part));
 }
 inline void report_value(const char* name, uint32_t measured, uint32_t stated) {
   report(Row::check, name, {measured, 0, 0}, {stated, 0, 0});
@@ -63,8 +63,8 @@ inline void report_operations() {
       ++failures;
       return;
     }
-    report(Row::operation, name, measured.base(), cost(kTarget, operation));
-    if (has_items) report(Row::item, name, measured.item(), item_cost(kTarget, operation));
+    report(Row::operation, name, measured.base(), kTarget.cost(operation));
+    if (has_items) report(Row::item, name, measured.item(), kTarget.item_cost(operation));
   };
 #define NEARFIELD_REPORT(code, name, type) report_one(Operation::name, #name, detail::has_items<type<Q>>);
   NEARFIELD_OPERATIONS(NEARFIELD_REPORT)

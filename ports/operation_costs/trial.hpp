@@ -93,7 +93,7 @@ inline Program<Q> loaded(Builder& builder, const char* what) {
   return load<Q>(builder.words(), builder.size() * 4);
 }
 
-inline constexpr Target kTarget = Target::NEARFIELD_TARGET_NAME;
+inline constexpr const Target& kTarget = target::NEARFIELD_TARGET_NAME;
 
 constexpr Budget greatest_of_both(const Budget& a, const Budget& b) {
   return {greatest_of_two(a.value, b.value), greatest_of_two(a.gradient, b.gradient),

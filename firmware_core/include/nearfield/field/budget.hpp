@@ -1,4 +1,4 @@
-// How many instructions a field costs at the worst, on each target that costs.hpp has been measured on.
+// How many instructions a field costs at the worst, on each target whose costs have been measured.
 #pragma once
 
 #include <nearfield/field/costs/cortex_m0.hpp>
@@ -8,26 +8,6 @@
 #include <nearfield/field/operations.hpp>
 
 namespace nearfield {
-
-// Cores whose costs have been measured, and stand in costs/: NEARFIELD_COSTS_OF_<name>.
-#define NEARFIELD_TARGETS(X) X(cortex_m0) X(cortex_m3) X(cortex_m4) X(rv32imac)
-
-enum class Target : uint8_t {
-#define NEARFIELD_TARGET(name) name,
-  NEARFIELD_TARGETS(NEARFIELD_TARGET)
-#undef NEARFIELD_TARGET
-};
-
-// The target that this is compiled for; where that is none of them (a host, say), the Cortex-M4.
-#if defined(__ARM_ARCH_6M__)
-inline constexpr Target kThisTarget = Target::cortex_m0;
-#elif defined(__ARM_ARCH_7M__)
-inline constexpr Target kThisTarget = Target::cortex_m3;
-#elif defined(__riscv) && __riscv_xlen == 32
-inline constexpr Target kThisTarget = Target::rv32imac;
-#else
-inline constexpr Target kThisTarget = Target::cortex_m4;
-#endif
 
 // Worst-case instructions of one evaluation: the value alone, value with gradient, the greatest value in a ball. Sums that
 // do not fit stay at the greatest number.
@@ -75,80 +55,112 @@ namespace detail {
 // Nothing costs as much: a budget with something in it that was not measured can be seen to be no budget.
 inline constexpr Budget kNotMeasured = {100000000, 100000000, 100000000};
 
-#define NEARFIELD_NO_COST(name, value, gradient, highest)
-#define NEARFIELD_COST(name, value, gradient, highest) \
-  case Of::name: return {value, gradient, highest};
+// A row of costs/, 65,535 where there is none.
+struct CostRow {
+  uint16_t value = 65535, gradient = 65535, highest = 65535;
 
-template <Target target> struct CostsOf;
-#define NEARFIELD_COSTS_ON(name)                                                                       \
-  template <> struct CostsOf<Target::name> {                                                           \
-    static constexpr Budget of(Operation operation) {                                                  \
-      using Of = Operation;                                                                            \
-      switch (operation) {                                                                             \
-        NEARFIELD_COSTS_OF_##name(NEARFIELD_COST, NEARFIELD_NO_COST, NEARFIELD_NO_COST)                \
-        case Of::leave:                                                                                \
-        case Of::leave_box: return {};                                                                 \
-        default: return kNotMeasured;                                                                  \
-      }                                                                                                \
-    }                                                                                                  \
-    static constexpr Budget of_item(Operation operation) {                                             \
-      using Of = Operation;                                                                            \
-      switch (operation) {                                                                             \
-        NEARFIELD_COSTS_OF_##name(NEARFIELD_NO_COST, NEARFIELD_COST, NEARFIELD_NO_COST)                \
-        default: return kNotMeasured;                                                                  \
-      }                                                                                                \
-    }                                                                                                  \
-    static constexpr Budget of(QueryPart part) {                                                       \
-      using Of = QueryPart;                                                                            \
-      switch (part) {                                                                                  \
-        NEARFIELD_COSTS_OF_##name(NEARFIELD_NO_COST, NEARFIELD_NO_COST, NEARFIELD_COST)                \
-        default: return kNotMeasured;                                                                  \
-      }                                                                                                \
-    }                                                                                                  \
-  };
-NEARFIELD_TARGETS(NEARFIELD_COSTS_ON)
-#undef NEARFIELD_COSTS_ON
-#undef NEARFIELD_COST
-#undef NEARFIELD_NO_COST
+  constexpr Budget budget() const { return value == 65535 ? kNotMeasured : Budget{value, gradient, highest}; }
+};
+
+constexpr uint32_t greatest_operation() {
+  uint32_t greatest = 0;
+#define NEARFIELD_GREATEST(code, ...) greatest = greatest_of_two<uint32_t>(greatest, code);
+  NEARFIELD_OPERATIONS(NEARFIELD_GREATEST)
+  NEARFIELD_FRAME_OPERATIONS(NEARFIELD_GREATEST)
+#undef NEARFIELD_GREATEST
+  return greatest;
+}
 
 }  // namespace detail
 
-#define NEARFIELD_CASE(name) \
-  case Target::name: return detail::CostsOf<Target::name>::of(what);
-// An operation in an image, dispatch included; of any number of items, what none would cost. A frame's cost is that of
-// entering and leaving together.
-constexpr Budget cost(Target target, Operation what) {
-  switch (target) { NEARFIELD_TARGETS(NEARFIELD_CASE) }
-  return detail::kNotMeasured;
-}
-constexpr Budget cost(Target target, QueryPart what) {
-  switch (target) { NEARFIELD_TARGETS(NEARFIELD_CASE) }
-  return detail::kNotMeasured;
-}
-#undef NEARFIELD_CASE
-#define NEARFIELD_CASE(name) \
-  case Target::name: return detail::CostsOf<Target::name>::of_item(what);
-// What each item adds.
-constexpr Budget item_cost(Target target, Operation what) {
-  switch (target) { NEARFIELD_TARGETS(NEARFIELD_CASE) }
-  return detail::kNotMeasured;
-}
-#undef NEARFIELD_CASE
-
-// Of an operation with all its items.
-template <class T> constexpr Budget cost_of(Target target, const T& operation) {
-  constexpr Operation code = OperationOf<T>::value;
-  if constexpr (detail::has_items<T>) {
-    return cost(target, code) + static_cast<uint32_t>(detail::item_count(operation)) * item_cost(target, code);
-  } else {
-    return cost(target, code);
+// A core with its compiler, as what everything costs there. Those that have been measured: namespace target.
+class Target {
+ public:
+  // An operation in an image, dispatch included; of any number of items, what none would cost. A frame's cost is that of
+  // entering and leaving together.
+  constexpr Budget cost(Operation operation) const {
+    if (operation == Operation::leave || operation == Operation::leave_box) return {};
+    const auto code = static_cast<uint32_t>(operation);
+    return code < operation_count ? operations_[code].budget() : detail::kNotMeasured;
   }
-}
+  // What each item adds.
+  constexpr Budget item_cost(Operation operation) const {
+    for (const ItemRow& item : items_) {
+      if (item.operation == operation) return item.cost.budget();
+    }
+    return detail::kNotMeasured;
+  }
+  constexpr Budget cost(QueryPart part) const {
+    const auto number = static_cast<uint32_t>(part);
+    return number < part_count ? parts_[number].budget() : detail::kNotMeasured;
+  }
+  // Of an operation with all its items.
+  template <class T> constexpr Budget cost_of(const T& operation) const {
+    constexpr Operation code = OperationOf<T>::value;
+    if constexpr (detail::has_items<T>) {
+      return cost(code) + static_cast<uint32_t>(detail::item_count(operation)) * item_cost(code);
+    } else {
+      return cost(code);
+    }
+  }
+  // What a query costs beyond its operations: checks of poses and parameters, certificate, result.
+  constexpr Budget query_cost(uint32_t slot_count, uint32_t parameter_count) const {
+    return cost(QueryPart::query) + slot_count * cost(QueryPart::pose_check) +
+           parameter_count * cost(QueryPart::parameter_check);
+  }
 
-// What a query costs beyond its operations: checks of poses and parameters, certificate, result.
-constexpr Budget query_cost(Target target, uint32_t slot_count, uint32_t parameter_count) {
-  return cost(target, QueryPart::query) + slot_count * cost(target, QueryPart::pose_check) +
-         parameter_count * cost(target, QueryPart::parameter_check);
-}
+  constexpr void state(Operation operation, const detail::CostRow& row) {
+    operations_[static_cast<uint32_t>(operation)] = row;
+  }
+  constexpr void state(QueryPart part, const detail::CostRow& row) { parts_[static_cast<uint32_t>(part)] = row; }
+  constexpr void state_item(Operation operation, const detail::CostRow& row) {
+    uint32_t free = 0;
+    while (items_[free].operation != Operation::leave) ++free;
+    items_[free] = {operation, row};
+  }
+
+ private:
+  static constexpr uint32_t operation_count = detail::greatest_operation() + 1;
+  static constexpr uint32_t part_count = static_cast<uint32_t>(QueryPart::c_pose) + 1;
+  struct ItemRow {
+    Operation operation = Operation::leave;
+    detail::CostRow cost;
+  };
+
+  detail::CostRow operations_[operation_count];
+  detail::CostRow parts_[part_count];
+  ItemRow items_[16];
+};
+
+namespace target {
+
+#define NEARFIELD_OPERATION_ROW(name, ...) costs.state(Operation::name, {__VA_ARGS__});
+#define NEARFIELD_ITEM_ROW(name, ...) costs.state_item(Operation::name, {__VA_ARGS__});
+#define NEARFIELD_PART_ROW(name, ...) costs.state(QueryPart::name, {__VA_ARGS__});
+#define NEARFIELD_TARGET(name)                                                                            \
+  inline constexpr Target name = [] {                                                                     \
+    Target costs;                                                                                         \
+    NEARFIELD_COSTS_OF_##name(NEARFIELD_OPERATION_ROW, NEARFIELD_ITEM_ROW, NEARFIELD_PART_ROW) return costs; \
+  }();
+// Every list of targets is made of this one; each has its file in costs/, NEARFIELD_COSTS_OF_<name>.
+#define NEARFIELD_TARGETS(X) X(cortex_m0) X(cortex_m3) X(cortex_m4) X(rv32imac)
+NEARFIELD_TARGETS(NEARFIELD_TARGET)
+#undef NEARFIELD_TARGET
+#undef NEARFIELD_OPERATION_ROW
+#undef NEARFIELD_ITEM_ROW
+#undef NEARFIELD_PART_ROW
+
+}  // namespace target
+
+// The target that this is compiled for; where that is none of them (a host, say), the Cortex-M4.
+#if defined(__ARM_ARCH_6M__)
+inline constexpr const Target& kThisTarget = target::cortex_m0;
+#elif defined(__ARM_ARCH_7M__)
+inline constexpr const Target& kThisTarget = target::cortex_m3;
+#elif defined(__riscv) && __riscv_xlen == 32
+inline constexpr const Target& kThisTarget = target::rv32imac;
+#else
+inline constexpr const Target& kThisTarget = target::cortex_m4;
+#endif
 
 }  // namespace nearfield

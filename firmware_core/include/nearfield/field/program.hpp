@@ -38,7 +38,7 @@ template <class S, class Operations = AllOperations> class Program {
   constexpr const Certificate<S>& certificate() const { return inspection_.certificate; }
   // Worst-case instructions of a value, and of a clearance with all that it checks. Nothing if not valid. Cost: a walk over
   // the image.
-  Budget budget(Target target = kThisTarget) const;
+  Budget budget(const Target& target = kThisTarget) const;
   constexpr uint32_t slot_count() const { return inspection_.slot_count; }
   constexpr uint32_t parameter_count() const { return inspection_.parameter_count; }
 
@@ -135,18 +135,18 @@ template <class S, class Operations = AllOperations> class Program {
   }
 
   // Of an operation of the image with all its items.
-  static Budget cost_in_image(Target target, Operation operation, [[maybe_unused]] const uint32_t* payload) {
+  static Budget cost_in_image(const Target& target, Operation operation, [[maybe_unused]] const uint32_t* payload) {
     switch (operation) {
 #define NEARFIELD_CASE(code, name, type)                                                     \
   case Operation::name:                                                                      \
     if constexpr (Operations::has(Operation::name) && detail::has_items<type<S>>)            \
-      return cost_of(target, fetch<type<S>>(payload));                                       \
+      return target.cost_of(fetch<type<S>>(payload));                                       \
     break;
       NEARFIELD_OPERATIONS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
       default: break;
     }
-    return cost(target, operation);
+    return target.cost(operation);
   }
 
   TableView<S> table(uint32_t reference) const { return detail::table_of_image<S>(image_ + reference); }
@@ -268,9 +268,9 @@ Highest<S> Program<S, Operations>::highest(const Vector3<S>& p, S radius, const 
   return machine.top;
 }
 
-template <class S, class Operations> Budget Program<S, Operations>::budget(Target target) const {
+template <class S, class Operations> Budget Program<S, Operations>::budget(const Target& target) const {
   if (!valid()) return {};
-  Budget sum = query_cost(target, slot_count(), parameter_count());
+  Budget sum = target.query_cost(slot_count(), parameter_count());
   for (const uint32_t *at = image_ + first_, *last = image_ + last_; at != last;) {
     const uint32_t word = *at++;
     sum = sum + cost_in_image(target, static_cast<Operation>(word & 0xffu), at);

@@ -73,13 +73,13 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   }
 
   // Worst-case instructions of a tick.
-  constexpr uint32_t budget(Target target = kThisTarget) const {
+  constexpr uint32_t budget(const Target& target = kThisTarget) const {
     const uint32_t bodies = arm->body_count(), person_bodies = person == nullptr ? 0 : person->body_count();
     uint32_t near_cell = 0;
     for (uint32_t i = 0; i < bodies; ++i) near_cell += checked_against_cell[i] != 0 ? 1 : 0;
-    const auto share = [target](QueryPart part) { return cost(target, part).value; };
+    const auto share = [&target](QueryPart part) { return target.cost(part).value; };
     // Poses from link_poses() are not checked again.
-    const uint32_t unchecked = soft == nullptr ? 0 : soft->slot_count() * cost(target, QueryPart::pose_check).gradient;
+    const uint32_t unchecked = soft == nullptr ? 0 : soft->slot_count() * target.cost(QueryPart::pose_check).gradient;
     return capacity_sixteenths * share(QueryPart::tick) + arm->poses_budget(target) +
            (person == nullptr ? 0 : person->poses_budget(target)) +
            (bodies + person_bodies) * share(QueryPart::placed_body) +

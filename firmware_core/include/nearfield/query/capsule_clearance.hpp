@@ -152,11 +152,11 @@ template <class AnyField, class S> class CapsuleSweep {
 // An invalid capsule (out of the domain, NaN) makes the answer invalid and is named by it.
 // Cost: at most sweep_budget().
 template <class AnyField>
-constexpr uint32_t sweep_budget(const AnyField& field, uint32_t count, uint32_t refinements, Target target = kThisTarget) {
-  const Budget of_field = field.budget(target), stretch = cost(target, QueryPart::stretch);
+constexpr uint32_t sweep_budget(const AnyField& field, uint32_t count, uint32_t refinements, const Target& target = kThisTarget) {
+  const Budget of_field = field.budget(target), stretch = target.cost(QueryPart::stretch);
   const uint32_t value = of_field.value;
-  return of_field.gradient + count * (value + cost(target, QueryPart::swept_capsule).value) +
-         refinements * (value + cost(target, QueryPart::refinement).value + stretch.value * (count + refinements));
+  return of_field.gradient + count * (value + target.cost(QueryPart::swept_capsule).value) +
+         refinements * (value + target.cost(QueryPart::refinement).value + stretch.value * (count + refinements));
 }
 
 template <class AnyField, class S = typename AnyField::Scalar>

@@ -176,15 +176,15 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
   }
 
   // Worst-case instructions of link_poses().
-  constexpr uint32_t poses_budget(Target target = kThisTarget) const {
+  constexpr uint32_t poses_budget(const Target& target = kThisTarget) const {
     uint32_t revolute = 0;
     for (int i = 0; i + 1 < links_; ++i) revolute += joints_[i].kind == JointKind::revolute ? 1u : 0u;
     const uint32_t others = links_ - (links_ == 0 ? 0u : 1u) - revolute;
-    return cost(target, QueryPart::link_poses).value + revolute * cost(target, QueryPart::revolute_joint).value +
-           others * cost(target, QueryPart::other_joint).value;
+    return target.cost(QueryPart::link_poses).value + revolute * target.cost(QueryPart::revolute_joint).value +
+           others * target.cost(QueryPart::other_joint).value;
   }
 
-  // Body i in the frame of the base, from its link's pose. Cost: cost(target, QueryPart::placed_body).
+  // Body i in the frame of the base, from its link's pose. Cost: target.cost(QueryPart::placed_body).
   constexpr Capsule<S> placed_body(int i, const Pose<S>* poses) const {
     const Body<S>& body = body_list_[i];
     const Pose<S>& pose = poses[body.link];

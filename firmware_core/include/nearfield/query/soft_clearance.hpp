@@ -32,9 +32,9 @@ constexpr bool may_be_asked_softly(const AnyField& field, const Vector3<S>& p, c
 }  // namespace detail
 
 // Worst-case instructions of a query below.
-template <class AnyField> constexpr uint32_t soft_clearance_budget(const AnyField& field, Target target = kThisTarget) {
+template <class AnyField> constexpr uint32_t soft_clearance_budget(const AnyField& field, const Target& target = kThisTarget) {
   const Budget of_field = field.budget(target);
-  return of_field.gradient + cost(target, QueryPart::soft_clearance).gradient + kSoftClearanceSteps * of_field.highest;
+  return of_field.gradient + target.cost(QueryPart::soft_clearance).gradient + kSoftClearanceSteps * of_field.highest;
 }
 
 // A ball around p (metres, field frame, within ScalarTraits<S>::domain()) in which an intensity, a Field or a Program, is
