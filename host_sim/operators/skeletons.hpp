@@ -49,7 +49,8 @@ struct SkeletonPoints {
 };
 
 // Control points that follow each other: refused where a coordinate differs by more than half the domain.
-inline void require_near(const FieldEmitter& emitter, const FieldNode& node, const Vector3d& a, const Vector3d& b) {
+inline void require_near(const FieldEmitter& emitter, const FieldNode& node, const Vector3d& a,
+                         const Vector3d& b) {
   const double longest = emitter.limits().domain / 2.0;
   const Vector3d edge = b - a;
   for (const double difference : {edge.x, edge.y, edge.z}) {
@@ -142,7 +143,8 @@ struct CubicCurveOperator {
     require_count(emitter, node, points, (points.count() / 3) << halvings,
                   "at most 4 segments, halved ones counted twice");
     for (int i = 0; i < halvings; ++i) points.points = halved(points.points);
-    for (std::size_t i = 1; i < points.points.size(); ++i) require_near(emitter, node, points.points[i - 1], points.points[i]);
+    for (std::size_t i = 1; i < points.points.size(); ++i)
+      require_near(emitter, node, points.points[i - 1], points.points[i]);
     const double radius = node.number("radius");
     emitter.operation([&](auto zero) {
       using S = decltype(zero);

@@ -37,7 +37,8 @@ class BicubicSurface {
   struct Nearest {
     Real distance{};
     Vec3 place;
-    Real runner_up{};  // the least distance of any other local minimum, if it is not larger by more than two cells
+    Real runner_up{};  // the least distance of any other local minimum, if it is not larger by more than two
+                       // cells
   };
   Real distance(const Vec3& p) const { return nearest(p).distance; }
   Nearest nearest(const Vec3& p) const {
@@ -49,7 +50,8 @@ class BicubicSurface {
       squares[i] = x * x + y * y + z * z;
     }
     const double least = std::sqrt(*std::min_element(squares.begin(), squares.end()));
-    const double farthest = (least + 2 * static_cast<double>(longest_cell_)) * (1 + 1e-9), limit = farthest * farthest;
+    const double farthest = (least + 2 * static_cast<double>(longest_cell_)) * (1 + 1e-9),
+                 limit = farthest * farthest;
     Nearest best{infinity, {}, infinity};
     for (std::size_t i = 0; i < side; ++i) {
       for (std::size_t j = 0; j < side; ++j) {

@@ -26,7 +26,9 @@ struct RayPointRow {
   static constexpr bool exact_solid = false;
   using Operations = OnlyOperations<Operation::ray_point>;
   using Parameters = Globe;
-  static Parameters draw(Random& random, Real size) { return {random.vector(-size, size), ray_radius(random, size)}; }
+  static Parameters draw(Random& random, Real size) {
+    return {random.vector(-size, size), ray_radius(random, size)};
+  }
   static std::vector<Parameters> degenerate(Real size) {
     return {{{}, size}, {{size, 0, -size}, least_radius}, {{0, size, 0}, 4 * size}};
   }
@@ -56,7 +58,9 @@ struct RayPlaneRow {
     return {random.vector(-size, size), random.unit_vector(), ray_radius(random, size)};
   }
   static std::vector<Parameters> degenerate(Real size) {
-    return {{{}, {0, 0, 1}, size}, {{size, 0, 0}, {-1, 0, 0}, least_radius}, {{0, 0, size}, {0.6L, 0, 0.8L}, 4 * size}};
+    return {{{}, {0, 0, 1}, size},
+            {{size, 0, 0}, {-1, 0, 0}, least_radius},
+            {{0, 0, size}, {0.6L, 0, 0.8L}, 4 * size}};
   }
   static std::vector<Vec3> places(const Parameters& p) {
     return {p.point, p.point + p.radius * p.normal, p.point - p.radius * p.normal};
@@ -127,7 +131,8 @@ struct QuadricRow {
   static std::vector<Vec3> places(const Parameters&) { return {{}, {1, 0, 0}}; }
   template <class S>
   static auto node(const Parameters& p) {
-    return Quadric<S>{rounded<S>(p.diagonal), rounded<S>(p.aside), rounded<S>(p.linear), rounded<S>(p.constant)};
+    return Quadric<S>{rounded<S>(p.diagonal), rounded<S>(p.aside), rounded<S>(p.linear),
+                      rounded<S>(p.constant)};
   }
   static Real value(const Parameters& quadric, const Vec3& p) { return quadric.at(p); }
 };

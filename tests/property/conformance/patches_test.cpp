@@ -22,7 +22,8 @@ struct Patch {
   }
 };
 
-/// A parallelogram of edges of `step` and less, each point off by up to `bend`. None too thin for the reference's grid.
+/// A parallelogram of edges of `step` and less, each point off by up to `bend`. None too thin for the
+/// reference's grid.
 std::vector<Vec3> drawn_points(Random& random, Real size, Real step, Real bend) {
   const Vec3 corner = 0.5L * random.vector(-size, size), direction_u = random.unit_vector();
   Vec3 direction_v = random.unit_vector();
@@ -30,7 +31,8 @@ std::vector<Vec3> drawn_points(Random& random, Real size, Real step, Real bend) 
   const Vec3 along_u = step * direction_u, along_v = step * random.uniform(0.2L, 1) * direction_v;
   std::vector<Vec3> control;
   for (int i = 0; i < 16; ++i)
-    control.push_back(corner + Real(i / 4) * along_u + Real(i % 4) * along_v + random.uniform(0, bend) * random.unit_vector());
+    control.push_back(corner + Real(i / 4) * along_u + Real(i % 4) * along_v +
+                      random.uniform(0, bend) * random.unit_vector());
   return control;
 }
 /// Of a function of both indices.
@@ -41,7 +43,8 @@ std::vector<Vec3> points_of(const Place& place) {
   return control;
 }
 
-/// Patches so gentle that their certified errors leave differences of the reference something to say of directions.
+/// Patches so gentle that their certified errors leave differences of the reference something to say of
+/// directions.
 struct PatchRow {
   static constexpr const char* name = "bicubic_patch";
   static constexpr bool exact_solid = false;  // certified: how far parallelograms may be off, twice
@@ -58,16 +61,43 @@ struct PatchRow {
   static std::vector<Parameters> degenerate(Real size) {
     const Real s = size / 3, t = 1e-3L * size;
     const Real there_and_back[] = {0, t, -0.2L * t, 0.8L * t};
-    return {{points_of([&](Real, Real) { return Vec3{size, 0, -size}; }), 0, 2},
+    return {{points_of([&](Real, Real) {
+               return Vec3{size, 0, -size};
+             }),
+             0, 2},
             {points_of([&](Real, Real) { return Vec3{}; }), size, 2},
-            {points_of([&](Real i, Real j) { return Vec3{s * i, s * j, 0}; }), 0},              // planar
-            {points_of([&](Real i, Real j) { return Vec3{s * i, s * i, t * j}; }), 0},          // a band
-            {points_of([&](Real i, Real) { return Vec3{s * i, 0, s * i}; }), t},                // a segment
-            {points_of([&](Real, Real j) { return Vec3{0, s * j, 0}; }), 0},                    // across
-            {points_of([&](Real i, Real j) { return Vec3{t * i, 2 * t * j, 0.5L * t * i}; }), 0},
-            {points_of([&](Real i, Real j) { return Vec3{t * (i + j), t * (i + j), 0}; }), 0},  // all in line
-            {points_of([&](Real i, Real j) { return Vec3{t * i * j / 3, t * j, 0}; }), 0},      // a triangle
-            {points_of([&](Real i, Real j) { return Vec3{there_and_back[static_cast<int>(i)], t * j, 0}; }), 0, 24}};
+            {points_of([&](Real i, Real j) {
+               return Vec3{s * i, s * j, 0};
+             }),
+             0},  // planar
+            {points_of([&](Real i, Real j) {
+               return Vec3{s * i, s * i, t * j};
+             }),
+             0},  // a band
+            {points_of([&](Real i, Real) {
+               return Vec3{s * i, 0, s * i};
+             }),
+             t},  // a segment
+            {points_of([&](Real, Real j) {
+               return Vec3{0, s * j, 0};
+             }),
+             0},  // across
+            {points_of([&](Real i, Real j) {
+               return Vec3{t * i, 2 * t * j, 0.5L * t * i};
+             }),
+             0},
+            {points_of([&](Real i, Real j) {
+               return Vec3{t * (i + j), t * (i + j), 0};
+             }),
+             0},  // all in line
+            {points_of([&](Real i, Real j) {
+               return Vec3{t * i * j / 3, t * j, 0};
+             }),
+             0},  // a triangle
+            {points_of([&](Real i, Real j) {
+               return Vec3{there_and_back[static_cast<int>(i)], t * j, 0};
+             }),
+             0, 24}};
   }
   static std::vector<Vec3> places(const Parameters& p) {
     return {p.surface.at(0, 0), p.surface.at(1, 0.25L), p.surface.at(0.43L, 0.61L),
@@ -100,7 +130,8 @@ void judge_wild_patches(std::uint64_t seed) {
     const Real certified = real(certificate.error);
     for (int j = 0; j < 100; ++j) {
       const Vec3 near = patch.surface.at(random.uniform(0, 1), random.uniform(0, 1));
-      const Vector3<S> p = rounded<S>(near + random.uniform(0, 1) * random.uniform(0, 6) * step * random.unit_vector());
+      const Vector3<S> p =
+          rounded<S>(near + random.uniform(0, 1) * random.uniform(0, 6) * step * random.unit_vector());
       if (!coordinates_in_domain(p)) continue;
       ++points;
       const Sample<S> sample = shape.template evaluate<Sample<S>>(p);
@@ -113,16 +144,19 @@ void judge_wild_patches(std::uint64_t seed) {
       below.check(off >= -16 * unit, [&](std::ostream& out) { out << off / unit << " units"; });
       if (nearest.runner_up - nearest.distance < 2 * certified || nearest.distance < 1e-3L * step) continue;
       ++directions;
-      const Real turned = reference::norm(real(sample.gradient) - (real(p) - nearest.place) / nearest.distance);
+      const Real turned =
+          reference::norm(real(sample.gradient) - (real(p) - nearest.place) / nearest.distance);
       worst_direction = std::max(worst_direction, turned);
       if (turned > 3e-3L + 32 * unit / nearest.distance) ++strayed;
     }
   }
   const std::string name = ScalarName<S>::text();
-  std::printf("wild patches in %s: %lld points, %lld exact; worst %.3g m, %.3g of what is certified; of %lld directions "
-              "%lld strayed, by up to %.3g\n",
-              name.c_str(), points, exact, static_cast<double>(worst), static_cast<double>(worst_share), directions,
-              strayed, static_cast<double>(worst_direction));
+  std::printf(
+      "wild patches in %s: %lld points, %lld exact; worst %.3g m, %.3g of what is certified; of %lld "
+      "directions "
+      "%lld strayed, by up to %.3g\n",
+      name.c_str(), points, exact, static_cast<double>(worst), static_cast<double>(worst_share), directions,
+      strayed, static_cast<double>(worst_direction));
   error.expect_none(name + ": within the certified error");
   below.expect_none(name + ": not below the distance");
   EXPECT_GT(points, 3000);

@@ -40,8 +40,9 @@ TEST(SkeletonOperators, AreWhereTheyArePlaced) {
 
 TEST(SkeletonOperators, PointsAndSegmentsMayBeBare) {
   EXPECT_NEAR(value("{\"type\": \"sphere\", \"radius\": 0, \"position\": [1, 0, 0]}", 1, 0.5, 0), 0.5, 1e-7);
-  EXPECT_NEAR(value("{\"type\": \"capsule\", \"from\": [0, 0, 0], \"to\": [1, 0, 0], \"radius\": 0}", 0.5, 0, 0.25),
-              0.25, 1e-7);
+  EXPECT_NEAR(
+      value("{\"type\": \"capsule\", \"from\": [0, 0, 0], \"to\": [1, 0, 0], \"radius\": 0}", 0.5, 0, 0.25),
+      0.25, 1e-7);
 }
 
 TEST(SkeletonOperators, HalvedCurvesAreTheSameAndCertifiedMoreClosely) {

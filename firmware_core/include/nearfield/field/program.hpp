@@ -149,11 +149,15 @@ template <class S, class Operations = AllOperations> class Program {
 
   template <class T, class Out> __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
     if constexpr (detail::reads_in_place<T>) {
-      m.push(T::template evaluate_from<Out>(typename T::InImage{payload}, m.point));
-      return;
+      evaluate_in_place<T>(m, payload);
     } else {
       operate_copied(m, fetch<T>(payload), payload);
     }
+  }
+  // Apart from the others, so that what they need does not weigh on all.
+  template <class T, class Out>
+  static __attribute__((noinline)) void evaluate_in_place(Machine<Out>& m, const uint32_t* payload) {
+    m.push(T::template evaluate_from<Out>(typename T::InImage{payload}, m.point));
   }
   template <class T, class Out>
   __attribute__((always_inline)) void operate_copied(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
@@ -199,7 +203,7 @@ template <class S, class Operations = AllOperations> class Program {
       else m.top = operation.highest(m.pop_below(), m.top, m.ball);
     }
   }
-  // Apart from the others, so that what they need does not weigh on all.
+  // Apart as well.
   template <class T, class Out>
   __attribute__((noinline)) void operate_on_all(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
     const Results<Out> of = m.take(static_cast<uint32_t>(operation.operand_count()));

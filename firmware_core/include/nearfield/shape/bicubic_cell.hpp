@@ -34,7 +34,8 @@ struct Slant<Fixed<F>> {
     const int shift = leading_zeros(sum);  // 3 to 19
     const uint64_t inverse = (uint64_t{1} << 63) / (sum << shift >> 32);
     slant.steep = Fixed<30>::from_raw(static_cast<int32_t>(inverse >> (21 - shift)));
-    slant.lean = Fixed<30>::from_raw(static_cast<int32_t>(tangent * static_cast<int64_t>(inverse) >> (43 - shift)));
+    slant.lean =
+        Fixed<30>::from_raw(static_cast<int32_t>(tangent * static_cast<int64_t>(inverse) >> (43 - shift)));
     return slant;
   }
 };
@@ -57,7 +58,8 @@ struct Slant<float> {
 template <int F>
 constexpr Fixed<30> share_of(Fixed<F> numerator, Fixed<F> denominator) {
   if (numerator >= denominator && denominator.raw() > 0) return Fixed<30>::from_raw(1 << 30);
-  const uint32_t share = ratio(static_cast<uint32_t>(numerator.raw()), static_cast<uint32_t>(denominator.raw()));
+  const uint32_t share =
+      ratio(static_cast<uint32_t>(numerator.raw()), static_cast<uint32_t>(denominator.raw()));
   return Fixed<30>::from_raw(static_cast<int32_t>(share >> 1));
 }
 constexpr float share_of(float numerator, float denominator) {
@@ -67,8 +69,10 @@ constexpr float share_of(float numerator, float denominator) {
 // What counts as nothing beside coordinates of metres: 64 units in the last place.
 template <class S>
 constexpr S small_length() {
-  if constexpr (ScalarTraits<S>::is_fixed) return S::from_raw(64);
-  else return 1e-9f;
+  if constexpr (ScalarTraits<S>::is_fixed)
+    return S::from_raw(64);
+  else
+    return 1e-9f;
 }
 
 // A product as a number, cut off: a rounding unit below it at most.
@@ -114,15 +118,16 @@ struct BicubicCell {
     return cell;
   }
 
-  // Where the nearest point to p is, and how far it is from p, squared. Off by 12 rounding units, and by 4 (1 +
-  // |slant|) where it lies on an edge.
+  // Where the nearest point to p is, and how far it is from p, squared. Off by 12 rounding units, and by 4 (1
+  // + |slant|) where it lies on an edge.
   struct Foot {
     decltype(sum_of_squares(S{}, S{})) squares;
     S along, across;  // from the corner; the former less what the slant adds
   };
   [[gnu::always_inline]] constexpr Foot foot(const Vector3<S>& p) const {
     const Vector3<S> q = subtract_in_range(p, corner);
-    const S x = rounded_down<S>(dot(q, along)), y = rounded_down<S>(dot(q, across)), z = rounded_down<S>(dot(q, normal));
+    const S x = rounded_down<S>(dot(q, along)), y = rounded_down<S>(dot(q, across)),
+            z = rounded_down<S>(dot(q, normal));
     S up = place_on_segment(y, height), sideways = rounded_down<S>(product(up, slant.tangent));
     const S place = subtract_in_range(x, sideways), on = place_on_segment(place, length);
     if (on != place) {
@@ -131,8 +136,9 @@ struct BicubicCell {
       up = place_on_segment(rounded_down<S>(product(rest, slant.lean) + product(y, slant.steep)), height);
       sideways = rounded_down<S>(product(up, slant.tangent));
     }
-    return {sum_of_squares(subtract_in_range(subtract_in_range(x, on), sideways), subtract_in_range(y, up), z),
-            on, up};
+    return {
+        sum_of_squares(subtract_in_range(subtract_in_range(x, on), sideways), subtract_in_range(y, up), z),
+        on, up};
   }
 
   friend constexpr bool operator==(const BicubicCell& a, const BicubicCell& b) {
@@ -142,10 +148,10 @@ struct BicubicCell {
   }
 };
 
-// A part of a bicubic Bezier surface, coordinates control[axis][4 i + j], for u and v between these quarters of [0, 1]: its
-// parallelogram, and the greatest distance between the two at the same parameters, which run along the sides. For
-// payloads: about 3000 operations. Precondition: coordinates within the domain, those of neighbours at most half of
-// it apart.
+// A part of a bicubic Bezier surface, coordinates control[axis][4 i + j], for u and v between these quarters
+// of [0, 1]: its parallelogram, and the greatest distance between the two at the same parameters, which run
+// along the sides. For payloads: about 3000 operations. Precondition: coordinates within the domain, those of
+// neighbours at most half of it apart.
 template <class S>
 class BakedBicubicCell {
  public:
@@ -154,8 +160,10 @@ class BakedBicubicCell {
     for (int i = 0; i < 16; ++i) part[i] = {control[0][i], control[1][i], control[2][i]};
     for (int i = 0; i < 4; ++i) restrict_to_quarter(part + 4 * i, 1, quarter_v);
     for (int j = 0; j < 4; ++j) restrict_to_quarter(part + j, 4, quarter_u);
-    const Vector3<S> side_u = mean(subtract_in_range(part[12], part[0]), subtract_in_range(part[15], part[3]));
-    const Vector3<S> side_v = mean(subtract_in_range(part[3], part[0]), subtract_in_range(part[15], part[12]));
+    const Vector3<S> side_u =
+        mean(subtract_in_range(part[12], part[0]), subtract_in_range(part[15], part[3]));
+    const Vector3<S> side_v =
+        mean(subtract_in_range(part[3], part[0]), subtract_in_range(part[15], part[12]));
     swapped_ = distance_from_origin(side_u) < distance_from_origin(side_v);
     set_frame(swapped_ ? side_v : side_u, swapped_ ? side_u : side_v);
     place_between(part);
@@ -227,7 +235,8 @@ class BakedBicubicCell {
     const S sideways = narrow_in_range<S>(dot(shorter, cell_.along));
     S least_height = absolute(sideways);
     for (int i = 1; i < kGreatestSlant; i *= 2) least_height = T::half(least_height);
-    cell_.height = greatest_of_two(greatest_of_two(narrow_in_range<S>(dot(shorter, cell_.across)), S{}), least_height);
+    cell_.height =
+        greatest_of_two(greatest_of_two(narrow_in_range<S>(dot(shorter, cell_.across)), S{}), least_height);
     cell_.slant = Slant<S>::of(sideways, cell_.height);
   }
 
@@ -235,8 +244,7 @@ class BakedBicubicCell {
   constexpr void place_between(const Vector3<S>* part) {
     const Vector3<S> first = along_axis(cell_.along, cell_.length);
     const S sideways = narrow_in_range<S>(product(cell_.height, cell_.slant.tangent));
-    const Vector3<S> second =
-        along_axis(cell_.along, sideways) + along_axis(cell_.across, cell_.height);
+    const Vector3<S> second = along_axis(cell_.along, sideways) + along_axis(cell_.across, cell_.height);
     Vector3<S> away[16] = {};
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
@@ -257,8 +265,10 @@ class BakedBicubicCell {
   static constexpr Vector3<S> thirds(const Vector3<S>& v, int count) {
     if (count == 0) return {};
     if (count == 3) return v;
-    if constexpr (T::is_fixed) return scaled_in_range(v, Unit<S>::from_raw(count == 1 ? 0x15555555 : 0x2aaaaaab));
-    else return scaled_in_range(v, count == 1 ? 1.0f / 3.0f : 2.0f / 3.0f);
+    if constexpr (T::is_fixed)
+      return scaled_in_range(v, Unit<S>::from_raw(count == 1 ? 0x15555555 : 0x2aaaaaab));
+    else
+      return scaled_in_range(v, count == 1 ? 1.0f / 3.0f : 2.0f / 3.0f);
   }
 
   BicubicCell<S> cell_;

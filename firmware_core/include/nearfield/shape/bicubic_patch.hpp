@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nearfield/shape/certificate.hpp>
-#include <nearfield/shape/cubic_chords.hpp>
 #include <nearfield/shape/bicubic_cell.hpp>
 #include <nearfield/shape/bicubic_place.hpp>
+#include <nearfield/shape/certificate.hpp>
+#include <nearfield/shape/cubic_chords.hpp>
 #include <nearfield/shape/payload.hpp>
 #include <nearfield/shape/sample.hpp>
 
@@ -11,13 +11,14 @@ namespace nearfield {
 
 inline constexpr int kPatchNewtonSteps = 2;
 
-// All points within `radius` of a bicubic Bezier patch. Metres: 16 control points within the domain, those of u = 0
-// first, in the order of v; coordinates of neighbours at most half the domain apart, in either direction; radius in [0,
-// domain]. Points, curves and folded patches are allowed. The distance from a point of the patch, less the radius: never
-// below the true one but for rounding, and above it by no more than twice the greatest distance of a sixteenth of the
-// patch from its parallelogram (bicubic_cell.hpp), about (|Puu| + |Pvv|) / 192 + |Puv| / 64. Searched from the nearest of 16
-// parallelograms by 2 Newton steps in two variables, of which the nearest place counts: exact wherever no other place of
-// the patch is as near within that bound. The direction is that from this place; none on the patch.
+// All points within `radius` of a bicubic Bezier patch. Metres: 16 control points within the domain, those of
+// u = 0 first, in the order of v; coordinates of neighbours at most half the domain apart, in either
+// direction; radius in [0, domain]. Points, curves and folded patches are allowed. The distance from a point
+// of the patch, less the radius: never below the true one but for rounding, and above it by no more than
+// twice the greatest distance of a sixteenth of the patch from its parallelogram (bicubic_cell.hpp), about
+// (|Puu| + |Pvv|) / 192 + |Puv| / 64. Searched from the nearest of 16 parallelograms by 2 Newton steps in two
+// variables, of which the nearest place counts: exact wherever no other place of the patch is as near within
+// that bound. The direction is that from this place; none on the patch.
 template <class S>
 struct BicubicPatch {
   using Scalar = S;
@@ -25,7 +26,7 @@ struct BicubicPatch {
   static constexpr int control_count = 16, cell_count = 16;
   using Cell = detail::BicubicCell<S>;
   S radius{};
-  uint32_t swapped = 0;  // bit i: v runs along cell i, and u across
+  uint32_t swapped = 0;              // bit i: v runs along cell i, and u across
   S control[3][control_count] = {};  // x, y and z of all
   Cell cell[cell_count] = {};
 
@@ -74,11 +75,11 @@ struct BicubicPatch {
     return evaluate_from<Out>(InMemory{*this}, p);
   }
 
-  // With D the greatest deviation of a cell, c the one whose parallelogram seems nearest, Q its point that does, at the
-  // parameters s of P, and * the truth: |p - P| <= |p - Q| + D <= |p - Q*| + D <= |p - P*| + 2 D, Q* being of the same
-  // parameters as P*. Rounding units: |p - Q| at these parameters 12 and its being the least 12 + 4 (1 + slant), what the
-  // deviations are off 2 * 20, control points sqrt(3)/2, places on the patch 11, the choice among them 4, radius 1/2,
-  // root 1.
+  // With D the greatest deviation of a cell, c the one whose parallelogram seems nearest, Q its point that
+  // does, at the parameters s of P, and * the truth: |p - P| <= |p - Q| + D <= |p - Q*| + D <= |p - P*| + 2
+  // D, Q* being of the same parameters as P*. Rounding units: |p - Q| at these parameters 12 and its being
+  // the least 12 + 4 (1 + slant), what the deviations are off 2 * 20, control points sqrt(3)/2, places on the
+  // patch 11, the choice among them 4, radius 1/2, root 1.
   constexpr Certificate<S> certificate(Reach<S> reach) const {
     using T = ScalarTraits<S>;
     if (!(within(radius, S{}, T::domain()) && control_points_fit())) return {};
@@ -96,8 +97,7 @@ struct BicubicPatch {
     if (swapped >> cell_count != 0) return {};
     // Parallelograms are as far from the origin, which is more than their rounding.
     const S edges = T::times(longest, 3);
-    Certificate<S> all =
-        exact_distance<S>(reach, extent + deviation + edges + radius, true, 86 + 4 * slant);
+    Certificate<S> all = exact_distance<S>(reach, extent + deviation + edges + radius, true, 86 + 4 * slant);
     all.error = all.error + deviation + deviation;
     return all;
   }
@@ -122,7 +122,7 @@ struct BicubicPatch {
     const Unit<S> along = detail::share_of(on_along, length), across = detail::share_of(on_across, height);
     const bool swapped = source.swapped(nearest);
     detail::BicubicParameters<S> at{in_quarter(nearest >> 2, swapped ? across : along),
-                                  in_quarter(nearest & 3, swapped ? along : across)};
+                                    in_quarter(nearest & 3, swapped ? along : across)};
     detail::NearestTried<S> tried(p);
     for (int i = 0; i < kPatchNewtonSteps; ++i) {
       const detail::BicubicPlace<S> place(source, p, at);
@@ -151,7 +151,8 @@ struct BicubicPatch {
   }
   constexpr bool are_near(int i, int j) const {
     for (const auto& coordinate : control) {
-      if (absolute(coordinate[j] - coordinate[i]) > ScalarTraits<S>::half(ScalarTraits<S>::domain())) return false;
+      if (absolute(coordinate[j] - coordinate[i]) > ScalarTraits<S>::half(ScalarTraits<S>::domain()))
+        return false;
     }
     return true;
   }

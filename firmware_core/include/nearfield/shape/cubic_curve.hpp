@@ -99,7 +99,9 @@ struct CubicCurve {
     constexpr int shift() const { return static_cast<int>(curve.shift); }
     constexpr S radius() const { return curve.radius; }
     constexpr const Vector3<S>& control(uint32_t i) const { return curve.control[i]; }
-    constexpr typename Chords::Inverse inverse(uint32_t i, uint32_t chord) const { return curve.inverse[i][chord]; }
+    constexpr typename Chords::Inverse inverse(uint32_t i, uint32_t chord) const {
+      return curve.inverse[i][chord];
+    }
   };
 
   template <class Out, class Source>

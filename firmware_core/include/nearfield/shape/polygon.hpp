@@ -55,8 +55,9 @@ struct Polygon {
     S radius() const { return detail::words_as<S>(payload + offsetof(Polygon, radius) / 4); }
     Edge edge(uint32_t i) const {
       const uint32_t* words = payload + offsetof(Polygon, edge) / 4 + i * (sizeof(Edge) / 4);
-      return {detail::words_as<S>(words), detail::words_as<S>(words + 1), detail::words_as<Unit<S>>(words + 2),
-              detail::words_as<Unit<S>>(words + 3), detail::words_as<S>(words + 4)};
+      return {detail::words_as<S>(words), detail::words_as<S>(words + 1),
+              detail::words_as<Unit<S>>(words + 2), detail::words_as<Unit<S>>(words + 3),
+              detail::words_as<S>(words + 4)};
     }
   };
   struct InMemory {
@@ -71,7 +72,8 @@ struct Polygon {
   static constexpr Out evaluate_from(const Source& source, const Vector3<S>& p) {
     const uint32_t count = source.vertex_count();
     const S z = subtract_in_range(p.z, source.height()), radius = source.radius();
-    const S first_x = subtract_in_range(p.x, source.edge(0).x), first_y = subtract_in_range(p.y, source.edge(0).y);
+    const S first_x = subtract_in_range(p.x, source.edge(0).x),
+            first_y = subtract_in_range(p.y, source.edge(0).y);
     S x = first_x, y = first_y;  // from the edge's start to p
     S nearest_x{}, nearest_y{};
     auto least = sum_of_squares(nearest_x, nearest_y);

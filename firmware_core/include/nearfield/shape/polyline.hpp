@@ -47,7 +47,8 @@ struct Polyline {
     S radius() const { return detail::words_as<S>(payload + offsetof(Polyline, radius) / 4); }
     Segment segment(uint32_t i) const {
       const uint32_t* words = payload + offsetof(Polyline, segment) / 4 + i * (sizeof(Segment) / 4);
-      return {detail::vector_as<S>(words), detail::vector_as<Unit<S>>(words + 3), detail::words_as<S>(words + 6)};
+      return {detail::vector_as<S>(words), detail::vector_as<Unit<S>>(words + 3),
+              detail::words_as<S>(words + 6)};
     }
   };
   struct InMemory {
