@@ -147,20 +147,15 @@ template <class S, class Operations = AllOperations> class Program {
 
   TableView<S> table(uint32_t reference) const { return detail::table_of_image<S>(image_ + reference); }
 
-  template <class T, class Out> __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
-    if constexpr (detail::reads_in_place<T>) {
-      evaluate_in_place<T>(m, payload);
-    } else {
-      operate_copied(m, fetch<T>(payload), payload);
-    }
-  }
-  // Apart from the others, so that what they need does not weigh on all.
+  // Operations that read their payload in place: apart from the others, so that what they need does not weigh on all.
   template <class T, class Out>
   static __attribute__((noinline)) void evaluate_in_place(Machine<Out>& m, const uint32_t* payload) {
     m.push(T::template evaluate_from<Out>(typename T::InImage{payload}, m.point));
   }
+  // What all others do, with a copy.
   template <class T, class Out>
-  __attribute__((always_inline)) void operate_copied(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
+  __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
+    const T operation = fetch<T>(payload);
     constexpr int count = detail::operand_count_of<T>;
     if constexpr (Machine<Out>::finds_highest && detail::has_own_highest<T>) {
       find_highest(m, operation, payload);
@@ -203,7 +198,7 @@ template <class S, class Operations = AllOperations> class Program {
       else m.top = operation.highest(m.pop_below(), m.top, m.ball);
     }
   }
-  // Apart as well.
+  // Apart from the others, as those in place.
   template <class T, class Out>
   __attribute__((noinline)) void operate_on_all(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
     const Results<Out> of = m.take(static_cast<uint32_t>(operation.operand_count()));
@@ -216,8 +211,9 @@ template <class S, class Operations = AllOperations> class Program {
     switch (operation) {
 #define NEARFIELD_CASE(code, name, type) \
   case Operation::name:                                   \
-    if constexpr (Operations::has(Operation::name)) return operate<type<S>>(m, payload); \
-    return;
+    if constexpr (!Operations::has(Operation::name)) return;                              \
+    else if constexpr (detail::reads_in_place<type<S>>) return evaluate_in_place<type<S>>(m, payload); \
+    else return operate<type<S>>(m, payload);
       NEARFIELD_OPERATIONS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
       case Operation::enter_pose:
