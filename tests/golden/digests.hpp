@@ -12,6 +12,6 @@ inline constexpr uint64_t kFloatDigest = 0x74326512fb88be01u;
 
 inline constexpr uint64_t kFixed27EntryDigest = 0xd4c25003b2ffeea0u;
 inline constexpr uint64_t kFixed16EntryDigest = 0xd28b3923dce45faeu;
-inline constexpr uint64_t kFloatEntryDigest = 0x919106585aa65bb0u;
+inline constexpr uint64_t kFloatEntryDigest = 0x6f94173cf7403fc2u;
 
 }  // namespace nearfield::golden

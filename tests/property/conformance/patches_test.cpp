@@ -71,6 +71,10 @@ struct PatchRow {
              }),
              0},  // planar
             {points_of([&](Real i, Real j) {
+               return Vec3{1.9L * size * (i - 1.5L), 1.9L * size * (j - 1.5L), size};
+             }),
+             0},  // as large as can be
+            {points_of([&](Real i, Real j) {
                return Vec3{s * i, s * i, t * j};
              }),
              0},  // a band

@@ -95,9 +95,8 @@ struct BicubicPatch {
       slant = greatest_of_two(slant, cell[i].slant.greatest_magnitude());
     }
     if (swapped >> cell_count != 0) return {};
-    // Parallelograms are as far from the origin, which is more than their rounding.
-    const S edges = T::times(longest, 3);
-    Certificate<S> all = exact_distance<S>(reach, extent + deviation + edges + radius, true, 86 + 4 * slant);
+    // Of a foot no coordinate is beyond the greatest one of p less a corner and what a slant adds, both together.
+    Certificate<S> all = exact_distance<S>(reach, extent + deviation + longest + radius, true, 86 + 4 * slant);
     all.error = all.error + deviation + deviation;
     return all;
   }
