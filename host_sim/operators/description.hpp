@@ -20,6 +20,10 @@ inline ParameterDescription fitting(Fit fit, ParameterDescription parameter) {
 inline ParameterDescription required_size(std::string_view key) {
   return fitting(Fit::length, {key, 1, size_range});
 }
+// May be 0: of a point, a segment, a circle.
+inline ParameterDescription required_radius(std::string_view key) {
+  return fitting(Fit::number, {key, 1, {0.0, 16.0, "m"}});
+}
 // Three full edges of a box about its centre.
 inline ParameterDescription required_edges() { return fitting(Fit::edge, {"size", 3, size_range}); }
 inline ParameterDescription required_point(std::string_view key) { return {key, 3, position_range}; }

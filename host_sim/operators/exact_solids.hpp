@@ -15,11 +15,6 @@
 
 namespace nearfield::host::operators {
 
-// May be 0.
-inline ParameterDescription required_radius(std::string_view key) {
-  return fitting(Fit::number, {key, 1, {0.0, 16.0, "m"}});
-}
-
 struct TaperedCapsuleOperator {
   static OperatorDescription description() {
     return shape("tapered_capsule", FieldKind::distance,

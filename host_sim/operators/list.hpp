@@ -64,7 +64,7 @@ using All =
          HoffmannHopcroftOperator<SetOperation::subtract>, LimingOperator, FunctionalSplineOperator,
          RibbonPatchOperator, CornerPatchOperator, MorphOperator<FieldKind::distance>,
          MorphOperator<FieldKind::intensity>, MorphOperator<FieldKind::ray>, SwellOperator, FadeOperator,
-         PolylineOperator, PolygonOperator, CubicCurveOperator,
+         PolylineOperator, PolygonOperator, CubicCurveOperator, BicubicPatchOperator,
          TaperedCapsuleOperator, ConeFrustumOperator, TorusOperator, DiscOperator, HalfSpaceOperator,
          InfiniteCylinderOperator, InfiniteConeOperator, OffsetOperator, RoundedBoxOperator,
          RaySlabOperator, RayOfDistanceOperator, BoxMetricOperator, GeneralisedDistanceOperator,

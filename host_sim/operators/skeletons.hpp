@@ -1,6 +1,7 @@
 // Skeletons with exact distances, each with a radius that rounds it.
 #pragma once
 
+#include <nearfield/shape/bicubic_patch.hpp>
 #include <nearfield/shape/cubic_curve.hpp>
 #include <nearfield/shape/polygon.hpp>
 #include <nearfield/shape/polyline.hpp>
@@ -35,7 +36,7 @@ struct SkeletonPoints {
     }
     if (points.size() < fewest) {
       emitter.refuse(node, key, std::to_string(points.size()) + " of them",
-                     std::to_string(fewest) + " to " + std::to_string(most));
+                     (fewest < most ? std::to_string(fewest) + " to " : "") + std::to_string(most));
     }
   }
   template <class S>
@@ -46,6 +47,19 @@ struct SkeletonPoints {
   }
   int count() const { return static_cast<int>(points.size()); }
 };
+
+// Control points that follow each other: refused where a coordinate differs by more than half the domain.
+inline void require_near(const FieldEmitter& emitter, const FieldNode& node, const Vector3d& a,
+                         const Vector3d& b) {
+  const double longest = emitter.limits().domain / 2.0;
+  const Vector3d edge = b - a;
+  for (const double difference : {edge.x, edge.y, edge.z}) {
+    if (difference <= longest && difference >= -longest) continue;
+    emitter.refuse(node, "control_points",
+                   emitter.misfit(difference) + " between the coordinates of two that follow",
+                   "at most " + format_number(longest) + " m");
+  }
+}
 
 struct PolylineOperator {
   static constexpr std::size_t most_points = kGreatestSegmentCount + 1;
@@ -129,7 +143,8 @@ struct CubicCurveOperator {
     require_count(emitter, node, points, (points.count() / 3) << halvings,
                   "at most 4 segments, halved ones counted twice");
     for (int i = 0; i < halvings; ++i) points.points = halved(points.points);
-    require_short_edges(emitter, node, points);
+    for (std::size_t i = 1; i < points.points.size(); ++i)
+      require_near(emitter, node, points.points[i - 1], points.points[i]);
     const double radius = node.number("radius");
     emitter.operation([&](auto zero) {
       using S = decltype(zero);
@@ -142,19 +157,6 @@ struct CubicCurveOperator {
                             int segments, const std::string& allowed) {
     if (segments >= 1 && segments <= most_segments) return;
     emitter.refuse(node, "control_points", std::to_string(points.count()) + " of them", allowed);
-  }
-  static void require_short_edges(const FieldEmitter& emitter, const FieldNode& node,
-                                  const SkeletonPoints& points) {
-    const double longest = emitter.limits().domain / 2.0;
-    for (std::size_t i = 1; i < points.points.size(); ++i) {
-      const Vector3d edge = points.points[i] - points.points[i - 1];
-      for (const double difference : {edge.x, edge.y, edge.z}) {
-        if (difference <= longest && difference >= -longest) continue;
-        emitter.refuse(node, "control_points",
-                       emitter.misfit(difference) + " between the coordinates of two that follow",
-                       "at most " + format_number(longest) + " m");
-      }
-    }
   }
   static std::vector<Vector3d> bezier_of_spline(const std::vector<Vector3d>& spline) {
     std::vector<Vector3d> bezier;
@@ -178,6 +180,29 @@ struct CubicCurveOperator {
       finer.insert(finer.end(), {ab, abc, middle(abc, bcd), bcd, cd, bezier[i + 3]});
     }
     return finer;
+  }
+};
+
+// A Bezier patch of 4 by 4 control points, those of one row after the other.
+struct BicubicPatchOperator {
+  static constexpr std::size_t point_count = BicubicPatch<float>::control_count;
+  static OperatorDescription description() {
+    return shape("bicubic_patch", FieldKind::distance,
+                 {required_points("control_points", 3, point_count), optional_radius()},
+                 PlacementParts::position_and_orientation);
+  }
+  static void add(FieldEmitter& emitter, const FieldNode& node) {
+    const SkeletonPoints control(emitter, node, "control_points", point_count, point_count);
+    const std::vector<Vector3d>& points = control.points;
+    for (std::size_t i = 0; i < point_count; ++i) {
+      if (i % 4 != 0) require_near(emitter, node, points[i - 1], points[i]);
+      if (i >= 4) require_near(emitter, node, points[i - 4], points[i]);
+    }
+    const double radius = node.number("radius");
+    emitter.operation([&](auto zero) {
+      using S = decltype(zero);
+      return BicubicPatch<S>(control.in<S>().data(), quantise<S>(radius));
+    });
   }
 };
 

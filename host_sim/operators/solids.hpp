@@ -31,7 +31,7 @@ inline Ends ends_of(const FieldEmitter& emitter, const FieldNode& node) {
 
 struct BallOperator {
   static OperatorDescription description() {
-    return shape("sphere", FieldKind::distance, {required_size("radius")}, PlacementParts::position);
+    return shape("sphere", FieldKind::distance, {required_radius("radius")}, PlacementParts::position);
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
     const double radius = node.number("radius");
@@ -45,7 +45,7 @@ struct BallOperator {
 struct CapsuleOperator {
   static OperatorDescription description() {
     return shape("capsule", FieldKind::distance,
-                 {required_point("from"), required_point("to"), required_size("radius")},
+                 {required_point("from"), required_point("to"), required_radius("radius")},
                  PlacementParts::position_and_orientation);
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {

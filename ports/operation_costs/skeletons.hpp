@@ -30,6 +30,21 @@ inline void measure_curves() {
   Trial().measure(CubicCurve<Q>(one_place, 4, Q{}));
 }
 
+inline void measure_bicubic_patches() {
+  Vector3<Q> points[16], flat[16], wild[16], one_place[16];
+  for (int i = 0; i < 16; ++i) {
+    const Q u = Q::from_raw((i / 4) << 24), v = Q::from_raw((i % 4) << 24),
+            bend = Q::from_raw((i * i * 37 % 11) << 20);
+    points[i] = {u, v, bend};
+    flat[i] = {u + v, u, Q{}};
+    wild[i] = {Q::from_raw(((i * 7) % 16) << 24), Q::from_raw(((i * 5) % 16) << 24),
+               Q::from_raw(((i * 11) % 16) << 24)};
+    one_place[i] = {Q(0.3), Q(0.1), Q(-0.2)};
+  }
+  const Vector3<Q>* const patches[] = {points, flat, wild, one_place};
+  for (const Vector3<Q>* control : patches) Trial().measure(BicubicPatch<Q>(control, Q(0.1)));
+}
+
 inline void measure_skeletons() {
   const int point_counts[] = {2, 3, 8};
   for (const int count : point_counts) Trial().measure(Polyline<Q>(kChain, count, Q(0.1)));
@@ -38,6 +53,7 @@ inline void measure_skeletons() {
     Trial().measure(Polygon<Q>(kOutlineX, kOutlineY, count, Q(0.1), Q(0.05)));
   Trial().measure(Polygon<Q>(kCrownX, kCrownY, 8, Q(0.1), Q{}));
   measure_curves();
+  measure_bicubic_patches();
 }
 
 }  // namespace nearfield::costs

@@ -10,8 +10,8 @@ inline constexpr uint64_t kFixed27Digest = 0x3ab4ea56e7b069f6u;
 inline constexpr uint64_t kFixed16Digest = 0x96eca98f1a38e8dfu;
 inline constexpr uint64_t kFloatDigest = 0x74326512fb88be01u;
 
-inline constexpr uint64_t kFixed27EntryDigest = 0xa44767e52bc772cau;
-inline constexpr uint64_t kFixed16EntryDigest = 0xaf07fff033194df7u;
-inline constexpr uint64_t kFloatEntryDigest = 0x53d432e3687e1401u;
+inline constexpr uint64_t kFixed27EntryDigest = 0xd4c25003b2ffeea0u;
+inline constexpr uint64_t kFixed16EntryDigest = 0xd28b3923dce45faeu;
+inline constexpr uint64_t kFloatEntryDigest = 0x919106585aa65bb0u;
 
 }  // namespace nearfield::golden

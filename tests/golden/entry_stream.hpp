@@ -46,6 +46,15 @@ class EntryDigest {
   int invalid_ = 0;
 };
 
+template <class S>
+constexpr BicubicPatch<S> draped_patch() {
+  const double heights[] = {0.0, 0.25, -0.125, 0.0625, 0.125, 0.375, 0.0};
+  Vector3<S> control[16] = {};
+  for (int i = 0; i < 16; ++i)
+    control[i] = Scene<S>::at(0.25 * (i / 4) - 0.375, 0.1875 * (i % 4) - 0.25, heights[i * i % 7]);
+  return BicubicPatch<S>(control, Scene<S>::metres(0.0625));
+}
+
 // Parameters as a scene has them.
 template <class S>
 struct Entries {
@@ -80,6 +89,7 @@ struct Entries {
     digest.add(rounded_box(at(-0.25, 0.5, 0.375), at(0.25, 0.125, 0.5), metres(0.0625)));
   }
 
+  static constexpr BicubicPatch<S> patch = draped_patch<S>();
   static void add_skeletons(EntryDigest<S>& digest) {
     const Vector3<S> points[] = {at(-0.5, -0.25, 0.0), at(0.25, 0.5, 0.25), at(0.5, -0.25, 0.5), at(0.0, -0.5, 0.25),
                                  at(-0.25, 0.0, 0.5)};
@@ -89,6 +99,7 @@ struct Entries {
     digest.add(Polygon<S>(x, y, 4, metres(0.25), metres(0.0625)));
     digest.add(CubicCurve<S>(points, 4, metres(0.0625)));
     digest.add(CubicCurve<S>::b_spline(points, 5, metres(0.0625)));
+    digest.add(patch);
   }
 
   static constexpr double radii[] = {1.0, 1.4, 0.8, 1.2};

@@ -9,8 +9,9 @@
 ///   static std::vector<Vec3> places(const Parameters&);   centres, edges, axes: where things happen
 ///   template <class S> static auto node(const Parameters&);   a static composition of them, rounded
 ///   static Real value(const Parameters&, const Vec3& p);      written independently; exact
-/// if its composition samples tables, `template <class S, class Writer> static void tables(Writer&)`; and if its
-/// directions are found by iteration, `static constexpr Real direction_tolerance`.
+/// if its composition samples tables, `template <class S, class Writer> static void tables(Writer&)`; if its
+/// directions are found by iteration, `static constexpr Real direction_tolerance`; and if its reference takes long,
+/// `static constexpr int one_draw_in`: only one of so many is made.
 
 #include <golden/node_writer.hpp>
 #include <nearfield/field/program.hpp>
@@ -39,6 +40,11 @@ template <class S>
 constexpr int draws = std::is_same_v<S, Fixed<27>> ? 400 : 200;
 constexpr int points_of_a_draw = 120;
 constexpr Real least_step_of_slopes = 1e-5L;  // m, for differences of the reference
+
+template <class Row, class S, class = void>
+constexpr int draws_of = draws<S>;
+template <class Row, class S>
+constexpr int draws_of<Row, S, std::void_t<decltype(Row::one_draw_in)>> = draws<S> / Row::one_draw_in;
 
 template <class Row, class Writer, class S, class = void>
 struct TablesOf {
@@ -116,7 +122,7 @@ class Judge {
   void run() {
     const Real domain = real(ScalarTraits<S>::domain());
     for (const auto& parameters : Row::degenerate(0.25L * domain)) judge(parameters, true);
-    for (int i = 0; i < draws<S>; ++i) {
+    for (int i = 0; i < draws_of<Row, S>; ++i) {
       const Real size = domain * (random_.chance(0.5L) ? 0.25L : random_.uniform(0.02L, 0.6L));
       judge(Row::draw(random_, size), false);
     }
@@ -254,7 +260,7 @@ class Judge {
     unit_.expect_none(name + ": directions are unit vectors or none");
     direction_.expect_none(name + ": directions");
     rate_.expect_none(name + ": Lipschitz");
-    EXPECT_GT(valid_, draws<S> / 2) << name;
+    EXPECT_GT(valid_, (draws_of<Row, S> / 2)) << name;
     EXPECT_GT(directions_, points_ / 8) << name;
     const Real unit = last_place<S>(real(ScalarTraits<S>::domain()));
     if constexpr (Row::exact_solid && std::is_same_v<S, Fixed<27>>) {

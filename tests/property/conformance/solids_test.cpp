@@ -6,6 +6,9 @@
 namespace nearfield::property {
 namespace {
 
+/// So short that the square of its length has few digits in a float.
+constexpr Vec3 no_way{3e-21L, -2e-22L, 1e-21L};
+
 struct SphereRow {
   static constexpr const char* name = "sphere";
   static constexpr bool exact_solid = true;
@@ -15,7 +18,9 @@ struct SphereRow {
     return {random.vector(-size, size), random.uniform(0.001L, 1) * size};
   }
   static std::vector<Parameters> degenerate(Real size) { return {{{}, size}, {{size, -size, 0}, 1e-3L}, {{0, size, 0}, 0}}; }
-  static std::vector<Vec3> places(const Parameters& p) { return {p.center, p.center + Vec3{p.radius, 0, 0}}; }
+  static std::vector<Vec3> places(const Parameters& p) {
+    return {p.center, p.center + no_way, p.center + Vec3{p.radius, 0, 0}};
+  }
   template <class S>
   static auto node(const Parameters& p) {
     return Sphere<S>{rounded<S>(p.center), rounded<S>(p.radius)};
@@ -81,7 +86,7 @@ struct CapsuleRow {
     return {{{}, {}, size}, {{}, {}, 0}, {{size, 0, 0}, {size, size, 0}, 0}, {{}, {0, 0, 1e-4L}, size}};
   }
   static std::vector<Vec3> places(const Parameters& p) {
-    return {p.a, p.b, 0.5L * (p.a + p.b), p.a + Vec3{p.radius, 0, 0}};
+    return {p.a, p.b, p.a - no_way, 0.5L * (p.a + p.b), p.a + Vec3{p.radius, 0, 0}};
   }
   template <class S>
   static auto node(const Parameters& p) {

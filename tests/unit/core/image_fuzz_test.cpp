@@ -119,6 +119,18 @@ void evaluate_everywhere(const Program<S>& program, golden::Stream& stream) {
   }
 }
 
+// Most of whose words follow from others.
+template <class S>
+Image image_of_patch() {
+  Vector3<S> control[16] = {};
+  for (int i = 0; i < 16; ++i)
+    control[i] = {metres<S>(0.25 * (i / 4)), metres<S>(0.125 * (i % 4)), metres<S>(0.0625 * (i * i % 7))};
+  ImageBuilder<S, 512> builder;
+  builder.operation(BicubicPatch<S>(control, metres<S>(0.125)));
+  builder.finish();
+  return words_of(builder);
+}
+
 template <class S>
 void fuzz(const char* name, uint64_t usual_seed, int mutations) {
   const uint64_t seed = reference::announced_seed(name, usual_seed);
@@ -126,12 +138,13 @@ void fuzz(const char* name, uint64_t usual_seed, int mutations) {
   golden::Stream stream(seed);
   using Fields = golden::Scene<S>;
   const std::vector<Image> good = {small_soft_image<S>(), small_distance_image<S>(),
-                                   image_of<S>(Fields::sharp), image_of<S>(unite(Fields::arm, Fields::post))};
+                                   image_of<S>(Fields::sharp), image_of<S>(unite(Fields::arm, Fields::post)),
+                                   image_of_patch<S>()};
   for (const Image& image : good) ASSERT_EQ(status_of<S>(image), LoadStatus::ok);
   int loaded = 0, refused = 0;
   for (int i = 0; i < mutations; ++i) {
     // The largest images take longest to check: they get their share, not more.
-    Image image = good[below(random, 8) < 6 ? below(random, 2) : 2 + below(random, 2)];
+    Image image = good[below(random, 8) < 6 ? below(random, 2) : 2 + below(random, 3)];
     mutate(image, random);
     repair_crc(image);
     Program<S> program = load_image<S>(image);

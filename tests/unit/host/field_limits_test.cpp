@@ -101,8 +101,8 @@ TEST(FieldLimits, WhatDoesNotFitNamesTheKeyAndTheRange) {
        "0.0625 and at most 4 m"},
       {scene_of("{\"type\": \"box\", \"size\": [1, 8.5, 1]}"),
        "file:2:25: field.size[1]: 8.5 does not fit q27; from "},
-      {scene_of("{\"type\": \"sphere\", \"radius\": 1e-12}"),
-       "file:2:30: field.radius: 1e-12 does not fit q27; from "},
+      {scene_of("{\"type\": \"cylinder\", \"height\": 1, \"radius\": 1e-12}"),
+       "file:2:45: field.radius: 1e-12 does not fit q27; from "},
       {scene_of("{\"type\": \"sphere\", \"radius\": 1, \"position\": [0, 0, -4.5]}"),
        "file:2:45: field.position[2]: -4.5 does not fit q27; from -4 to 4 m"},
       {scene_of("{\"type\": \"capsule\", \"from\": [5, 0, 0], \"to\": [0, 0, "

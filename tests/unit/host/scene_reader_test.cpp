@@ -145,7 +145,7 @@ TEST(SceneReader, RefusesWrongFields) {
       {scene("{\"type\": \"sphere\", \"raduis\": 1}"),
        "file:2:20: field.raduis: unknown key \"raduis\" (did you mean \"radius\"?); allowed keys: type, "
        "name, radius"},
-      {scene("{\"type\": \"sphere\"}"), "file:2:1: field.radius: missing; required: a number above 0"},
+      {scene("{\"type\": \"sphere\"}"), "file:2:1: field.radius: missing; required: a number from 0"},
       {scene("{\"type\": \"sphere\", \"radius\": 16.1}"), "file:2:30: field.radius: 16.1 is out of range"},
       {scene("{\"type\": \"sphere\", \"radius\": 1, \"rpy\": [0, 0, 0]}"),
        "file:2:33: field.rpy: unknown key"},

@@ -38,6 +38,13 @@ TEST(SkeletonOperators, AreWhereTheyArePlaced) {
       0.75, 1e-6);
 }
 
+TEST(SkeletonOperators, PointsAndSegmentsMayBeBare) {
+  EXPECT_NEAR(value("{\"type\": \"sphere\", \"radius\": 0, \"position\": [1, 0, 0]}", 1, 0.5, 0), 0.5, 1e-7);
+  EXPECT_NEAR(
+      value("{\"type\": \"capsule\", \"from\": [0, 0, 0], \"to\": [1, 0, 0], \"radius\": 0}", 0.5, 0, 0.25),
+      0.25, 1e-7);
+}
+
 TEST(SkeletonOperators, HalvedCurvesAreTheSameAndCertifiedMoreClosely) {
   const std::string curve =
       "{\"type\": \"cubic_curve\", \"control_points\": [[0, 0, 0], [0.3, 0, 0], [0.3, 0.3, 0], [0, 0.3, "
@@ -59,6 +66,32 @@ TEST(SkeletonOperators, SplinesAreBetweenTheirControlPoints) {
       "[[0, 0, 0], [0.2, 0.3, 0], [0.4, 0, 0], [0.6, 0.3, 0], [0.8, 0, 0]]}";
   EXPECT_NEAR(value(spline, 0.2, 0.2, 0), 0.0, 1e-7);
   EXPECT_NEAR(value(spline, 0.4, 0.1, 0.5), 0.5, 1e-7);
+}
+
+// Of 4 by 4 control points at (0.25 i, 0.25 j), one of them raised.
+std::string patch(const std::string& height, std::size_t count = 16) {
+  std::string text = "{\"type\": \"bicubic_patch\", \"control_points\": [";
+  for (std::size_t i = 0; i < count; ++i) {
+    text += std::string(i > 0 ? ", " : "") + "[" + format_number(0.25 * static_cast<double>(i / 4)) + ", " +
+            format_number(0.25 * static_cast<double>(i % 4)) + ", " + (i == 5 ? height : "0") + "]";
+  }
+  return text + "]";
+}
+
+TEST(SkeletonOperators, PatchesAreWhereTheirControlPointsPutThem) {
+  const std::string flat = patch("0") + ", \"radius\": 0.25, \"position\": [1, 0, 0]}";
+  EXPECT_NEAR(value(flat, 1.3, 0.4, -1), 0.75, 1e-7);
+  EXPECT_NEAR(value(flat, 0.5, 0.4, 0), 0.25, 1e-7);
+  EXPECT_NEAR(value(flat, 2.25, 0.4, 0), 0.25, 1e-7);
+  // Bernstein's weights of the raised point are 4/9 each at u = v = 1/3.
+  EXPECT_NEAR(value(patch("0.2") + "}", 0.25, 0.25, 16.0 / 81.0 * 0.2), 0.0, 1e-6);
+}
+
+TEST(SkeletonOperators, RefuseWhatIsNoPatch) {
+  expect_refused(patch("0", 15) + "}", "file:2:45: field.control_points: 15 of them; 16");
+  expect_refused(patch("3") + "}", "file:2:45: field.control_points: 3 does not fit q27");
+  expect_refused(patch("17") + "}", "file:2:125: field.control_points[5][2]: 17");
+  expect_refused(patch("0") + ", \"radius\": -0.1}", "file:2:297: field.radius: -0.1");
 }
 
 TEST(SkeletonOperators, RefuseWhatIsNoSkeleton) {

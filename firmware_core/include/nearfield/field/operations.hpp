@@ -25,6 +25,7 @@
 #include <nearfield/modify/sweep.hpp>
 #include <nearfield/shape/algebraic.hpp>
 #include <nearfield/shape/algebraic_torus.hpp>
+#include <nearfield/shape/bicubic_patch.hpp>
 #include <nearfield/shape/box.hpp>
 #include <nearfield/shape/capsule.hpp>
 #include <nearfield/shape/cone_frustum.hpp>
@@ -101,6 +102,7 @@ namespace nearfield {
   X(0x3a, polygon, Polygon)                                             \
   X(0x3b, polyline, Polyline)                                           \
   X(0x3c, cubic_curve, CubicCurve)                                      \
+  X(0x3d, bicubic_patch, BicubicPatch)                                  \
   X(0x3e, ray_slab, RaySlab)                                            \
   X(0x3f, ray_of_distance, RayOfDistance)                               \
   X(0x40, ray_sweep, RaySweep)                                          \

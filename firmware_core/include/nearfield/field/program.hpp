@@ -3,6 +3,7 @@
 
 #include <nearfield/field/budget.hpp>
 #include <nearfield/field/image.hpp>
+#include <nearfield/shape/payload.hpp>
 
 namespace nearfield {
 
@@ -124,12 +125,7 @@ template <class S, class Operations = AllOperations> class Program {
     const uint32_t* frame_constant[kFrameDepth];
   };
 
-  // Words of the image or the machine as values: a copy that the compiler turns into loads.
-  template <class T> static T fetch(const uint32_t* words) {
-    T value;
-    if constexpr (payload_words<T> != 0) __builtin_memcpy(static_cast<void*>(&value), words, sizeof(T));
-    return value;
-  }
+  template <class T> static T fetch(const uint32_t* words) { return detail::words_as<T>(words); }
   template <class T> static void store(uint32_t* words, const T& value) {
     __builtin_memcpy(words, static_cast<const void*>(&value), sizeof(T));
   }
@@ -152,8 +148,20 @@ template <class S, class Operations = AllOperations> class Program {
   TableView<S> table(uint32_t reference) const { return detail::table_of_image<S>(image_ + reference); }
 
   template <class T, class Out> __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
+    if constexpr (detail::reads_in_place<T>) {
+      evaluate_in_place<T>(m, payload);
+    } else {
+      operate_copied(m, fetch<T>(payload), payload);
+    }
+  }
+  // Apart from the others, so that what they need does not weigh on all.
+  template <class T, class Out>
+  static __attribute__((noinline)) void evaluate_in_place(Machine<Out>& m, const uint32_t* payload) {
+    m.push(T::template evaluate_from<Out>(typename T::InImage{payload}, m.point));
+  }
+  template <class T, class Out>
+  __attribute__((always_inline)) void operate_copied(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
     constexpr int count = detail::operand_count_of<T>;
-    const T operation = fetch<T>(payload);
     if constexpr (Machine<Out>::finds_highest && detail::has_own_highest<T>) {
       find_highest(m, operation, payload);
     } else if constexpr (count == kAnyNumber) {
@@ -195,7 +203,7 @@ template <class S, class Operations = AllOperations> class Program {
       else m.top = operation.highest(m.pop_below(), m.top, m.ball);
     }
   }
-  // Apart from the others, so that what they need does not weigh on all.
+  // Apart as well.
   template <class T, class Out>
   __attribute__((noinline)) void operate_on_all(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
     const Results<Out> of = m.take(static_cast<uint32_t>(operation.operand_count()));

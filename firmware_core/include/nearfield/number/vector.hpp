@@ -71,6 +71,13 @@ template <class To, int F, class R> constexpr Polar<Fixed<F, R>, To> polar(const
 template <class To> constexpr Polar<float, float> polar(const Vector3<float>& v) {
   const float length = square_root(sum_of_squares(v.x, v.y, v.z));
   if (!(length > 0.0f)) return {length, {}};
+  if (length < 1e-15f) {
+    // Its square has too few digits left.
+    constexpr float scale = 1.8446744e19f;  // 2^64
+    const Vector3<float> large = {v.x * scale, v.y * scale, v.z * scale};
+    const float size = square_root(sum_of_squares(large.x, large.y, large.z));
+    return {length, {large.x / size, large.y / size, large.z / size}};
+  }
   return {length, {v.x / length, v.y / length, v.z / length}};
 }
 

@@ -2,6 +2,7 @@
 
 #include <nearfield/shape/certificate.hpp>
 #include <nearfield/shape/cubic_chords.hpp>
+#include <nearfield/shape/payload.hpp>
 #include <nearfield/shape/sample.hpp>
 #include <nearfield/shape/skeleton_offset.hpp>
 
@@ -78,16 +79,43 @@ struct CubicCurve {
     return segment_count <= kGreatestCurveSegmentCount ? static_cast<int>(segment_count) : 0;
   }
 
-  template <class Out>
-  constexpr Out evaluate(const Vector3<S>& p) const {
+  // What evaluation reads, where it is.
+  struct InImage {
+    const uint32_t* payload;
+    uint32_t segment_count() const { return payload[offsetof(CubicCurve, segment_count) / 4]; }
+    int shift() const { return static_cast<int>(payload[offsetof(CubicCurve, shift) / 4]); }
+    S radius() const { return detail::words_as<S>(payload + offsetof(CubicCurve, radius) / 4); }
+    Vector3<S> control(uint32_t i) const {
+      return detail::vector_as<S>(payload + offsetof(CubicCurve, control) / 4 + 3 * i);
+    }
+    typename Chords::Inverse inverse(uint32_t i, uint32_t chord) const {
+      return detail::words_as<typename Chords::Inverse>(payload + offsetof(CubicCurve, inverse) / 4 +
+                                                        detail::kChordCount * i + chord);
+    }
+  };
+  struct InMemory {
+    const CubicCurve& curve;
+    constexpr uint32_t segment_count() const { return curve.segment_count; }
+    constexpr int shift() const { return static_cast<int>(curve.shift); }
+    constexpr S radius() const { return curve.radius; }
+    constexpr const Vector3<S>& control(uint32_t i) const { return curve.control[i]; }
+    constexpr typename Chords::Inverse inverse(uint32_t i, uint32_t chord) const {
+      return curve.inverse[i][chord];
+    }
+  };
+
+  template <class Out, class Source>
+  static constexpr Out evaluate_from(const Source& source, const Vector3<S>& p) {
     uint32_t nearest_segment = 0;
     int nearest_chord = 0;
     auto nearest_place = decltype(Chords::kOne){};
     auto least = Chords::kGreatestSquare;
-    for (uint32_t i = 0; i < segment_count; ++i) {
-      Chords chords(segment(i), p, static_cast<int>(shift));
+    const uint32_t count = source.segment_count();
+    const int shift = source.shift();
+    for (uint32_t i = 0; i < count; ++i) {
+      Chords chords(segment_of(source, i), p, shift);
       for (int chord = 0; chord < detail::kChordCount; ++chord) {
-        const auto place = chords.place(inverse[i][chord]);
+        const auto place = chords.place(source.inverse(i, static_cast<uint32_t>(chord)));
         const Vector3<S> offset = chords.offset(place);
         const auto squares = sum_of_squares(offset.x, offset.y, offset.z);
         if (squares < least) {
@@ -100,7 +128,12 @@ struct CubicCurve {
       }
     }
     return from_offset<Out>(
-        offset_near(p, nearest_segment, detail::curve_parameter(nearest_chord, nearest_place)), radius);
+        offset_near(source, p, nearest_segment, detail::curve_parameter(nearest_chord, nearest_place)),
+        source.radius());
+  }
+  template <class Out>
+  constexpr Out evaluate(const Vector3<S>& p) const {
+    return evaluate_from<Out>(InMemory{*this}, p);
   }
 
   // Rounding units: control points sqrt(3)/2, of a spline as much again, place on the curve 2.6, the choice
@@ -137,23 +170,32 @@ struct CubicCurve {
 
  private:
   // From a place of a segment onwards, to the segments beside it where its ends are reached.
-  constexpr Vector3<S> offset_near(const Vector3<S>& p, uint32_t at_segment, Unit<S> t) const {
+  template <class Source>
+  static constexpr Vector3<S> offset_near(const Source& source, const Vector3<S>& p, uint32_t at_segment,
+                                          Unit<S> t) {
     const Unit<S> start{}, end = ScalarTraits<S>::unit_one();
+    const uint32_t count = source.segment_count();
     detail::NearestTried<S> nearest(p);
     for (int i = 0; i < kCurveNewtonSteps; ++i) {
-      const detail::CurvePlace<S> at(segment(at_segment), p, t);
+      const detail::CurvePlace<S> at(segment_of(source, at_segment), p, t);
       nearest.add(at.offset);
       t = add_in_range(t, detail::step_to_nearest(at));
       if (t < start) {
         t = at_segment > 0 ? end : start;
         at_segment -= at_segment > 0 ? 1 : 0;
       } else if (end < t) {
-        t = at_segment + 1 < segment_count ? start : end;
-        at_segment += at_segment + 1 < segment_count ? 1 : 0;
+        t = at_segment + 1 < count ? start : end;
+        at_segment += at_segment + 1 < count ? 1 : 0;
       }
     }
-    nearest.add(detail::CurvePlace<S>(segment(at_segment), p, t).offset);
+    nearest.add(detail::CurvePlace<S>(segment_of(source, at_segment), p, t).offset);
     return detail::settled(nearest.offset());
+  }
+  template <class Source>
+  static constexpr detail::CubicPolynomial<S> segment_of(const Source& source, uint32_t i) {
+    const Vector3<S> four[] = {source.control(3 * i), source.control(3 * i + 1), source.control(3 * i + 2),
+                               source.control(3 * i + 3)};
+    return detail::CubicPolynomial<S>(four);
   }
   static constexpr S length(const Vector3<S>& v) { return length_of<S>(sum_of_squares(v.x, v.y, v.z)); }
   static constexpr Vector3<S> second_difference(const Vector3<S>* c) {

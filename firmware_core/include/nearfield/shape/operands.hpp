@@ -17,6 +17,10 @@
 //
 // With `takes_point` true, of one operand, combine() takes the point before it, in the coordinates of the frame at hand.
 //
+// A shape whose payload is large may have evaluate_from<Out>(source, point), which takes what it reads from a source, one part
+// after the other: a class of its own, InImage{payload's words}, or one that evaluate() gives it. A program then does not copy
+// the payload.
+//
 // With `takes_partial` true it takes operands whose certificate is partial; with `checks_table` true, bool fits(table) says
 // whether a table is of the form that it samples.
 #pragma once
@@ -48,6 +52,8 @@ template <class T, class = void> inline constexpr bool takes_parameter_of = fals
 template <class T> inline constexpr bool takes_parameter_of<T, decltype(void(T::takes_parameter))> = T::takes_parameter;
 template <class T, class = void> inline constexpr bool takes_point_of = false;
 template <class T> inline constexpr bool takes_point_of<T, decltype(void(T::takes_point))> = T::takes_point;
+template <class T, class = void> inline constexpr bool reads_in_place = false;
+template <class T> inline constexpr bool reads_in_place<T, decltype(void(sizeof(typename T::InImage)))> = true;
 template <class T, class = void> inline constexpr bool uses_table = false;
 template <class T> inline constexpr bool uses_table<T, decltype(void(T::samples_table))> = T::samples_table;
 

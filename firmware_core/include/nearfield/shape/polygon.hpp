@@ -2,6 +2,7 @@
 
 #include <nearfield/number/direction.hpp>
 #include <nearfield/shape/certificate.hpp>
+#include <nearfield/shape/payload.hpp>
 #include <nearfield/shape/sample.hpp>
 #include <nearfield/shape/skeleton_offset.hpp>
 
@@ -46,16 +47,39 @@ struct Polygon {
     return vertex_count <= kGreatestVertexCount ? static_cast<int>(vertex_count) : 0;
   }
 
-  template <class Out>
-  constexpr Out evaluate(const Vector3<S>& p) const {
-    const S z = subtract_in_range(p.z, height);
-    const S first_x = subtract_in_range(p.x, edge[0].x), first_y = subtract_in_range(p.y, edge[0].y);
+  // What evaluation reads, where it is.
+  struct InImage {
+    const uint32_t* payload;
+    uint32_t vertex_count() const { return payload[offsetof(Polygon, vertex_count) / 4]; }
+    S height() const { return detail::words_as<S>(payload + offsetof(Polygon, height) / 4); }
+    S radius() const { return detail::words_as<S>(payload + offsetof(Polygon, radius) / 4); }
+    Edge edge(uint32_t i) const {
+      const uint32_t* words = payload + offsetof(Polygon, edge) / 4 + i * (sizeof(Edge) / 4);
+      return {detail::words_as<S>(words), detail::words_as<S>(words + 1),
+              detail::words_as<Unit<S>>(words + 2), detail::words_as<Unit<S>>(words + 3),
+              detail::words_as<S>(words + 4)};
+    }
+  };
+  struct InMemory {
+    const Polygon& polygon;
+    constexpr uint32_t vertex_count() const { return polygon.vertex_count; }
+    constexpr S height() const { return polygon.height; }
+    constexpr S radius() const { return polygon.radius; }
+    constexpr const Edge& edge(uint32_t i) const { return polygon.edge[i]; }
+  };
+
+  template <class Out, class Source>
+  static constexpr Out evaluate_from(const Source& source, const Vector3<S>& p) {
+    const uint32_t count = source.vertex_count();
+    const S z = subtract_in_range(p.z, source.height()), radius = source.radius();
+    const S first_x = subtract_in_range(p.x, source.edge(0).x),
+            first_y = subtract_in_range(p.y, source.edge(0).y);
     S x = first_x, y = first_y;  // from the edge's start to p
     S nearest_x{}, nearest_y{};
     auto least = sum_of_squares(nearest_x, nearest_y);
     bool inside = false;
-    for (uint32_t i = 0; i < vertex_count; ++i) {
-      const Edge& e = edge[i];
+    for (uint32_t i = 0; i < count; ++i) {
+      const Edge e = source.edge(i);
       const S along = narrow_in_range<S>(product(x, e.axis_x) + product(y, e.axis_y));
       const S place = detail::place_on_segment(along, e.length);
       const S away_x = subtract_in_range(x, narrow_in_range<S>(product(place, e.axis_x)));
@@ -66,9 +90,9 @@ struct Polygon {
         nearest_x = away_x;
         nearest_y = away_y;
       }
-      const bool is_last = i + 1 == vertex_count;
-      const S next_x = is_last ? first_x : subtract_in_range(p.x, edge[i + 1].x);
-      const S next_y = is_last ? first_y : subtract_in_range(p.y, edge[i + 1].y);
+      const bool is_last = i + 1 == count;
+      const S next_x = is_last ? first_x : subtract_in_range(p.x, source.edge(i + 1).x);
+      const S next_y = is_last ? first_y : subtract_in_range(p.y, source.edge(i + 1).y);
       if ((y < S{}) != (next_y < S{}) &&
           (is_negative(product(y, next_x) - product(x, next_y)) != (y < S{}))) {
         inside = !inside;
@@ -86,6 +110,10 @@ struct Polygon {
       return out;
     }
     return from_offset<Out>(detail::settled(Vector3<S>{nearest_x, nearest_y, z}), radius);
+  }
+  template <class Out>
+  constexpr Out evaluate(const Vector3<S>& p) const {
+    return evaluate_from<Out>(InMemory{*this}, p);
   }
 
   // Rounding units, at 12 m along an edge: vertices 1/sqrt(2), axis (half a unit of 2^-30 a component, in the

@@ -2,6 +2,7 @@
 
 #include <nearfield/number/direction.hpp>
 #include <nearfield/shape/certificate.hpp>
+#include <nearfield/shape/payload.hpp>
 #include <nearfield/shape/sample.hpp>
 #include <nearfield/shape/skeleton_offset.hpp>
 
@@ -39,19 +40,42 @@ struct Polyline {
     return segment_count <= kGreatestSegmentCount ? static_cast<int>(segment_count) : 0;
   }
 
-  template <class Out>
-  constexpr Out evaluate(const Vector3<S>& p) const {
-    Vector3<S> nearest = offset_from(segment[0], p);
+  // What evaluation reads, where it is.
+  struct InImage {
+    const uint32_t* payload;
+    uint32_t segment_count() const { return payload[offsetof(Polyline, segment_count) / 4]; }
+    S radius() const { return detail::words_as<S>(payload + offsetof(Polyline, radius) / 4); }
+    Segment segment(uint32_t i) const {
+      const uint32_t* words = payload + offsetof(Polyline, segment) / 4 + i * (sizeof(Segment) / 4);
+      return {detail::vector_as<S>(words), detail::vector_as<Unit<S>>(words + 3),
+              detail::words_as<S>(words + 6)};
+    }
+  };
+  struct InMemory {
+    const Polyline& polyline;
+    constexpr uint32_t segment_count() const { return polyline.segment_count; }
+    constexpr S radius() const { return polyline.radius; }
+    constexpr const Segment& segment(uint32_t i) const { return polyline.segment[i]; }
+  };
+
+  template <class Out, class Source>
+  static constexpr Out evaluate_from(const Source& source, const Vector3<S>& p) {
+    Vector3<S> nearest = offset_from(source.segment(0), p);
     auto least = sum_of_squares(nearest.x, nearest.y, nearest.z);
-    for (uint32_t i = 1; i < segment_count; ++i) {
-      const Vector3<S> offset = offset_from(segment[i], p);
+    const uint32_t count = source.segment_count();
+    for (uint32_t i = 1; i < count; ++i) {
+      const Vector3<S> offset = offset_from(source.segment(i), p);
       const auto squares = sum_of_squares(offset.x, offset.y, offset.z);
       if (squares < least) {
         least = squares;
         nearest = offset;
       }
     }
-    return from_offset<Out>(detail::settled(nearest), radius);
+    return from_offset<Out>(detail::settled(nearest), source.radius());
+  }
+  template <class Out>
+  constexpr Out evaluate(const Vector3<S>& p) const {
+    return evaluate_from<Out>(InMemory{*this}, p);
   }
 
   // Rounding units, at 14 m along a segment: points sqrt(3)/2, axis (1.4 units of 2^-30, in the place and in
@@ -97,7 +121,7 @@ struct Polyline {
             narrow_in_range<S>(product(place, of.axis.z))};
   }
   // From the nearest point of the segment to p.
-  static constexpr Vector3<S> offset_from(const Segment& of, const Vector3<S>& p) {
+  [[gnu::always_inline]] static constexpr Vector3<S> offset_from(const Segment& of, const Vector3<S>& p) {
     const Vector3<S> relative = subtract_in_range(p, of.from);
     const S place = detail::place_on_segment(narrow_in_range<S>(dot(relative, of.axis)), of.length);
     return subtract_in_range(relative, point_along(of, place));

@@ -68,6 +68,7 @@
   item(polyline, 602, 601, 602)                             \
   operation(cubic_curve, 6599, 6996, 6601)                  \
   item(cubic_curve, 3796, 3800, 3796)                       \
+  operation(bicubic_patch, 5100, 5200, 5100)                \
   operation(ray_slab, 434, 721, 436)                        \
   operation(ray_of_distance, 176, 467, 178)                 \
   operation(ray_sweep, 1738, 2553, 1740)                    \

@@ -68,6 +68,7 @@
   item(polyline, 60, 73, 60)                                \
   operation(cubic_curve, 1427, 1506, 1427)                  \
   item(cubic_curve, 764, 757, 764)                          \
+  operation(bicubic_patch, 5100, 5200, 5100)                \
   operation(ray_slab, 114, 167, 114)                        \
   operation(ray_of_distance, 54, 117, 54)                   \
   operation(ray_sweep, 514, 770, 514)                       \

@@ -68,6 +68,7 @@
   item(polyline, 60, 71, 60)                                \
   operation(cubic_curve, 1416, 1495, 1417)                  \
   item(cubic_curve, 765, 763, 765)                          \
+  operation(bicubic_patch, 5100, 5200, 5100)                \
   operation(ray_slab, 113, 167, 114)                        \
   operation(ray_of_distance, 55, 119, 55)                   \
   operation(ray_sweep, 515, 769, 516)                       \

@@ -68,6 +68,7 @@
   item(polyline, 92, 108, 92)                              \
   operation(cubic_curve, 2096, 2218, 2095)                 \
   item(cubic_curve, 806, 806, 806)                         \
+  operation(bicubic_patch, 5100, 5200, 5100)                \
   operation(ray_slab, 189, 289, 187)                       \
   operation(ray_of_distance, 97, 170, 97)                  \
   operation(ray_sweep, 722, 1033, 721)                     \
