@@ -7,7 +7,7 @@
 
 namespace nearfield::board {
 
-// Writes `size` bytes. The port may buffer them until the program ends.
+// Writes `size` bytes; nothing is buffered here.
 void write(const char* bytes, size_t size);
 
 // Writes a zero-terminated string.
