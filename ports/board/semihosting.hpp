@@ -1,4 +1,0 @@
-// What boards write by.
-#pragma once
-
-#include <board/console.hpp>
