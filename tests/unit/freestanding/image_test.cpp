@@ -167,6 +167,8 @@ bool is_known_operation(uint32_t code) {
   switch (static_cast<Operation>(code)) {
 #define NEARFIELD_CASE(number, name, ...) case Operation::name:
     NEARFIELD_OPERATIONS(NEARFIELD_CASE)
+#undef NEARFIELD_CASE
+#define NEARFIELD_CASE(number, name) case Operation::name:
     NEARFIELD_FRAME_OPERATIONS(NEARFIELD_CASE)
 #undef NEARFIELD_CASE
     return true;
