@@ -10,12 +10,13 @@ cortex_m4_packages="$host_packages gcc-arm-none-eabi binutils-arm-none-eabi qemu
 # What -m32 needs, by its parts: g++-multilib cannot be installed beside a cross compiler.
 linux_packages="g++-aarch64-linux-gnu qemu-user libc6-dev-i386 lib32gcc-12-dev"
 wasm_packages="clang lld nodejs"
+avr_packages="clang gcc-avr avr-libc simavr"
 riscv_packages="gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-misc"
 case "${1:-}" in
   host) packages=$host_packages ;;
   cortex-m4) packages=$cortex_m4_packages ;;
   test)
-    packages="$cortex_m4_packages $riscv_packages $linux_packages $wasm_packages gcc clang libclang-rt-14-dev
+    packages="$cortex_m4_packages $riscv_packages $linux_packages $wasm_packages $avr_packages gcc clang libclang-rt-14-dev
               libgtest-dev binutils"
     ;;
   *)

@@ -12,6 +12,7 @@
   result = /differs/ ? "DIFFERS" : "same"
   if (of == "query_digest" && $2 ~ /^(fixed27|fixed16|float)$/) query[$2] = result
   if (of == "entry_digest" && $2 ~ /^(fixed27|fixed16|float)$/ && entries != "DIFFERS") entries = result
+  if (of == "kernel_digest" && $2 == "kernel") kernel = result
   if (of == "simulation_digest" && $2 == "simulation") simulation = result
   if (of == "unit_tests" && / tests passed$/) units = $2 "/" $4
 }
@@ -21,7 +22,7 @@
 function shown(result) { return result == "" ? "-" : result }
 
 END {
-  printf "%-16s %-14s %-8s %-8s %-8s %-10s %-8s %-8s %7d %7.0f%s\n", target, compiler, shown(query["fixed27"]),
-    shown(query["fixed16"]), shown(query["float"]), shown(simulation), shown(entries), shown(units), build_seconds,
+  printf "%-16s %-14s %-8s %-8s %-8s %-8s %-10s %-8s %-8s %7d %7.0f%s\n", target, compiler, shown(kernel),
+    shown(query["fixed27"]), shown(query["fixed16"]), shown(query["float"]), shown(simulation), shown(entries), shown(units), build_seconds,
     run_seconds, verdict
 }

@@ -20,4 +20,8 @@ inline constexpr uint64_t kFixed27EntryDigest = 0xa44767e52bc772cau;
 inline constexpr uint64_t kFixed16EntryDigest = 0xaf07fff033194df7u;
 inline constexpr uint64_t kFloatEntryDigest = 0x53d432e3687e1401u;
 
+
+// Of ports/kernel_digest.cpp.
+inline constexpr uint64_t kKernelDigest = 0x1cb3040d9bc1254bu;
+
 }  // namespace nearfield::golden
