@@ -1,0 +1,94 @@
+#include "render/surface_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nearfield::host {
+namespace {
+
+constexpr int search_depth = 7;    // halvings of the search's edges
+constexpr int refinements = 4;     // searches again in what was found
+constexpr double far_from = 3.0;   // radii of a cell beyond which the first-order distance tells that it is empty
+
+Vector3d least(const Vector3d& a, const Vector3d& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+Vector3d greatest(const Vector3d& a, const Vector3d& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+class Search {
+ public:
+  explicit Search(const SceneField& field) : field_(field) {}
+
+  void look(const Box3& cell, int depth) {
+    if (found_ && found_->contains(cell.low) && found_->contains(cell.high)) return;
+    const Vector3d middle = cell.middle();
+    const double radius = 0.5 * length(cell.size());
+    if (field_.certified() && field_.free_radius(middle, radius) >= radius) return;
+    const FieldAnswer answer = field_.at(middle);
+    // |f| over the slope, without dividing by a slope of 0.
+    const double slope = length(answer.gradient), distance = std::abs(answer.outward);
+    if (depth == 0) {
+      if (distance <= slope * radius || changes_sign(cell, answer.outward < 0.0)) add(cell);
+      return;
+    }
+    // Certified fields need no guess; of others the coarse cells are all looked into.
+    if (!field_.certified() && depth < search_depth - 3 && distance > far_from * slope * radius &&
+        !changes_sign(cell, answer.outward < 0.0)) {
+      return;
+    }
+    for (unsigned part = 0; part < 8; ++part) {
+      const auto half = [part, &cell, &middle](unsigned axis, double Vector3d::* x) {
+        return (part >> axis & 1U) != 0 ? std::pair{middle.*x, cell.high.*x} : std::pair{cell.low.*x, middle.*x};
+      };
+      const auto x = half(0, &Vector3d::x), y = half(1, &Vector3d::y), z = half(2, &Vector3d::z);
+      look({{x.first, y.first, z.first}, {x.second, y.second, z.second}}, depth - 1);
+    }
+  }
+  const std::optional<Box3>& found() const { return found_; }
+
+ private:
+  bool changes_sign(const Box3& cell, bool inside) const {
+    for (unsigned i = 0; i < 8; ++i) {
+      const Vector3d corner{(i & 1U) != 0 ? cell.high.x : cell.low.x, (i & 2U) != 0 ? cell.high.y : cell.low.y,
+                            (i & 4U) != 0 ? cell.high.z : cell.low.z};
+      if (field_.inside(corner) != inside) return true;
+    }
+    return false;
+  }
+  void add(const Box3& cell) {
+    found_ = found_ ? Box3{least(found_->low, cell.low), greatest(found_->high, cell.high)} : cell;
+  }
+
+  const SceneField& field_;
+  std::optional<Box3> found_;
+};
+
+double longest_edge(const Box3& box) { return std::max({box.size().x, box.size().y, box.size().z}); }
+
+}  // namespace
+
+Box3 grown(const Box3& box, double by) {
+  const Vector3d margin{by, by, by};
+  return {box.low - margin, box.high + margin};
+}
+Box3 intersection(const Box3& a, const Box3& b) { return {greatest(a.low, b.low), least(a.high, b.high)}; }
+Box3 domain_box(const SceneField& field) {
+  const double d = field.domain();
+  return {{-d, -d, -d}, {d, d, d}};
+}
+
+std::optional<Box3> surface_box(const SceneField& field, const Box3& search) {
+  Box3 within = search;
+  std::optional<Box3> found;
+  for (int round = 0; round < refinements; ++round) {
+    Search one(field);
+    one.look(within, search_depth);
+    if (!one.found()) break;
+    found = one.found();
+    within = intersection(grown(*found, longest_edge(*found) / 64.0), search);
+  }
+  return found;
+}
+
+}  // namespace nearfield::host
