@@ -15,7 +15,8 @@ namespace {
 
 constexpr double margin_left = 58.0, margin_right = 16.0, margin_top = 48.0, margin_bottom = 44.0;
 constexpr int shade_count = 10;
-constexpr double line_tolerance = 0.05;  // pixels, by which contour lines are made simpler
+constexpr double line_tolerance = 0.05;   // pixels, by which contour lines are made simpler
+constexpr double shade_tolerance = 0.15;  // the same of the edges of shades
 constexpr const char* inside_fill = "#D9C3AE";
 constexpr const char* inside_line = "#A5805C";
 constexpr const char* slope_colour = "#3B4A5C";
@@ -55,9 +56,9 @@ class SlicePainter {
   }
 
  private:
-  std::vector<Polyline> on_page(const std::vector<Polyline>& lines) const {
+  std::vector<Polyline> on_page(const std::vector<Polyline>& lines, double tolerance = line_tolerance) const {
     std::vector<Polyline> page;
-    for (const Polyline& one : lines) page.push_back(simplified(to_page_(one), line_tolerance));
+    for (const Polyline& one : lines) page.push_back(simplified(to_page_(one), tolerance));
     return page;
   }
   /// The grid of another quantity of f; what is not known stays so.
@@ -88,7 +89,7 @@ class SlicePainter {
   void draw_shades(const SampledGrid& shades, const Rgb& dark, const Rgb& light) {
     for (int k = shade_count - 1; k >= 1; --k) {
       const double t = static_cast<double>(k) / shade_count;
-      document_.path(on_page(filled_region(shades, t)), filled(between(dark, light, t - 0.5 / shade_count)));
+      document_.path(on_page(filled_region(shades, t), shade_tolerance), filled(between(dark, light, t - 0.5 / shade_count)));
     }
   }
 

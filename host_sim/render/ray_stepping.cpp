@@ -98,9 +98,10 @@ double light_along(const SceneField& field, const Ray& ray, const Stretch& stret
     if (light < 0.01) return 0.0;
     double advance = settings.fixed_step;
     if (settings.stepping == Stepping::certified) {
-      guess = 1.5 * field.free_radius(p, guess);
+      const double radius = field.kind() == Kind::intensity ? field.free_radius(p, guess) : field.free_radius_where(answer.outward);
+      guess = 1.5 * radius;
       // Near the surface the light is dim already; smaller steps would not show.
-      advance = std::max(guess / 1.5, 0.25 * resolution_at(1.0, settings) + 0.002 * t);
+      advance = std::max(radius, 0.25 * resolution_at(1.0, settings) + 0.002 * t);
     }
     t += advance;
   }

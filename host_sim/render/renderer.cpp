@@ -12,6 +12,7 @@ namespace nearfield::host {
 namespace {
 
 constexpr double light_half_angle = 0.055;  // rad, of the lamp
+constexpr std::array<double, 4> openness_reaches{0.03, 0.08, 0.18, 0.35};  // of the surface's radius
 constexpr int extra_rays_each_way = 3;      // of a pixel where neighbours differ
 constexpr Colour horizon{0.80, 0.83, 0.87}, zenith{0.93, 0.945, 0.96}, ground_colour{0.74, 0.74, 0.73};
 constexpr Colour lamp{1.02, 0.98, 0.92}, sky_light{0.40, 0.43, 0.47}, bounced_light{0.20, 0.19, 0.18};
@@ -29,6 +30,11 @@ struct Look {
 double smooth_step(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
+}
+
+double distance_to(const Box3& box, const Vector3d& p) {
+  const auto beyond = [](double x, double low, double high) { return std::max({0.0, low - x, x - high}); };
+  return length({beyond(p.x, box.low.x, box.high.x), beyond(p.y, box.low.y, box.high.y), beyond(p.z, box.low.z, box.high.z)});
 }
 
 class Renderer {
@@ -213,16 +219,15 @@ class Renderer {
   }
   // The share of the sky that neighbours leave free, from the first-order distance at places along the normal.
   double openness(const Vector3d& p, const Vector3d& normal) const {
-    double hidden = 0.0, weights = 0.0;
-    for (const double share : {0.03, 0.08, 0.18, 0.35}) {
+    double hidden = 0.0;
+    for (const double share : openness_reaches) {
       const double reach = share * radius_;
       const Vector3d at = p + reach * normal;
-      const double weight = 1.0;
-      weights += weight;
-      if (!shadow_box_.contains(at)) continue;
-      hidden += weight * (1.0 - first_order_distance(field_.at(at), reach) / reach);
+      const double near = 1.0 - smooth_step(0.0, 0.25 * radius_, distance_to(settings_.surface, at));
+      if (near <= 0.0 || !settings_.drawn.contains(at)) continue;
+      hidden += near * (1.0 - first_order_distance(field_.at(at), reach) / reach);
     }
-    return 1.0 - 0.85 * hidden / weights;
+    return 1.0 - 0.85 * hidden / static_cast<double>(openness_reaches.size());
   }
   Colour lit(const Vector3d& p, const Vector3d& normal, const Colour& paint, const Ray& ray, double reach, double gloss) const {
     const Vector3d above = p + std::max(2.0 * reach, 4.0 * stepping_.least_resolution) * normal;

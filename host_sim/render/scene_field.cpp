@@ -56,30 +56,34 @@ class SceneFieldIn final : public SceneField {
   }
 
   double free_radius(const Vector3d& p, double guess) const override {
-    double radius = 0.0;
-    if (!proof_.rate && !highest_) return radius;
-    const double f = outward(p);
-    if (proof_.rate) radius = (std::abs(f) - proof_.error) / *proof_.rate;
-    if (highest_ && f > proof_.error) radius = std::max(radius, radius_below_level(p, std::max(guess, radius)));
-    return std::max(0.0, careful_factor * radius - rounding_);
+    if (!certified()) return 0.0;
+    const double f = outward(p), by_rate = free_radius_where(f);
+    if (!highest_ || f <= proof_.error) return by_rate;
+    return std::max(by_rate, careful(radius_below_level(p, std::max(guess, by_rate), by_rate)));
+  }
+  double free_radius_where(double outward) const override {
+    return proof_.rate ? careful((std::abs(outward) - proof_.error) / *proof_.rate) : 0.0;
   }
 
  private:
-  // Of the radii guess 2^k, the greatest of a few that highest() proves; 0 when none is.
-  double radius_below_level(const Vector3d& p, double guess) const {
+  double careful(double radius) const { return std::max(0.0, careful_factor * radius - rounding_); }
+
+  // Of the radii guess 2^k, the greatest of a few that highest() proves; 0 when none is. `known`: a radius known to be free,
+  // with which a search that finds nothing soon contents itself.
+  double radius_below_level(const Vector3d& p, double guess, double known) const {
     const nearfield::Vector3<S> centre = quantise<S>(p);
     const auto proved = [&](double radius) {
       return real(field_.program.highest(centre, quantise<S>(radius), field_.slots).value) + proof_.error < level_;
     };
-    const double greatest = domain_, least = 64.0 * rounding_;
-    double radius = std::clamp(guess, least, greatest);
+    const double greatest = domain_, least = known > 0.0 ? std::max(1.4 * known, 0.2 * guess) : 64.0 * rounding_;
+    double radius = std::min(std::max(guess, least), greatest);
     if (proved(radius)) {
       for (int doubling = 0; doubling < 3 && 2.0 * radius <= greatest && proved(2.0 * radius); ++doubling) radius *= 2.0;
       return radius;
     }
-    while (radius > least) {
+    while (radius > 2.0 * least) {
       radius *= 0.5;
-      if (proved(radius)) return proved(1.5 * radius) ? 1.5 * radius : radius;
+      if (proved(radius)) return radius;
     }
     return 0.0;
   }

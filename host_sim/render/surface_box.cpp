@@ -8,7 +8,8 @@ namespace nearfield::host {
 namespace {
 
 constexpr int search_depth = 7;    // halvings of the search's edges
-constexpr int refinements = 4;     // searches again in what was found
+constexpr int refinements = 2;     // searches, each in what the one before has found
+constexpr int last_depth = 10;     // of the search for where the surface ends
 constexpr double far_from = 3.0;   // radii of a cell beyond which the first-order distance tells that it is empty
 
 Vector3d least(const Vector3d& a, const Vector3d& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
@@ -18,7 +19,7 @@ Vector3d greatest(const Vector3d& a, const Vector3d& b) {
 
 class Search {
  public:
-  explicit Search(const SceneField& field) : field_(field) {}
+  Search(const SceneField& field, int depth) : field_(field), coarse_(depth - 3) {}
 
   void look(const Box3& cell, int depth) {
     if (found_ && found_->contains(cell.low) && found_->contains(cell.high)) return;
@@ -33,7 +34,7 @@ class Search {
       return;
     }
     // Certified fields need no guess; of others the coarse cells are all looked into.
-    if (!field_.certified() && depth < search_depth - 3 && distance > far_from * slope * radius &&
+    if (!field_.certified() && depth < coarse_ && distance > far_from * slope * radius &&
         !changes_sign(cell, answer.outward < 0.0)) {
       return;
     }
@@ -45,6 +46,7 @@ class Search {
       look({{x.first, y.first, z.first}, {x.second, y.second, z.second}}, depth - 1);
     }
   }
+  void start_from(const Box3& box) { found_ = box; }
   const std::optional<Box3>& found() const { return found_; }
 
  private:
@@ -61,10 +63,18 @@ class Search {
   }
 
   const SceneField& field_;
+  int coarse_;  // depth from which on cells are looked into whatever is in their middle
   std::optional<Box3> found_;
 };
 
 double longest_edge(const Box3& box) { return std::max({box.size().x, box.size().y, box.size().z}); }
+
+// At least a point in the middle is left.
+Box3 shrunk(const Box3& box, double by) {
+  const Box3 less = grown(box, -by);
+  const Vector3d middle = box.middle();
+  return {least(less.low, middle), greatest(less.high, middle)};
+}
 
 }  // namespace
 
@@ -82,13 +92,17 @@ std::optional<Box3> surface_box(const SceneField& field, const Box3& search) {
   Box3 within = search;
   std::optional<Box3> found;
   for (int round = 0; round < refinements; ++round) {
-    Search one(field);
+    Search one(field, search_depth);
     one.look(within, search_depth);
-    if (!one.found()) break;
+    if (!one.found()) return found;
     found = one.found();
     within = intersection(grown(*found, longest_edge(*found) / 64.0), search);
   }
-  return found;
+  // The surface reaches to within two of the cells that were found; what lies nearer to the middle needs no second look.
+  Search last(field, last_depth);
+  last.start_from(shrunk(*found, 2.0 / (1 << search_depth) * longest_edge(within)));
+  last.look(within, last_depth);
+  return last.found();
 }
 
 }  // namespace nearfield::host
