@@ -33,9 +33,12 @@ int nearfield_load(nearfield_field* field, const void* image, size_t byte_count)
 
 uint32_t nearfield_budget(const nearfield_field* field) {
   const FieldProgram program = program_of(field);
+  if (!program.valid()) return 0;
   // Copies of the field and of the poses come on top.
-  constexpr uint32_t copies = 430, copy_of_a_pose = 60;
-  return program.valid() ? program.budget().gradient + copies + program.slot_count() * copy_of_a_pose : 0;
+  using nearfield::QueryPart;
+  const nearfield::Budget copies = nearfield::cost(nearfield::kThisTarget, QueryPart::c_interface) +
+                                   program.slot_count() * nearfield::cost(nearfield::kThisTarget, QueryPart::c_pose);
+  return (program.budget() + copies).gradient;
 }
 
 nearfield_clearance nearfield_clearance_at(const nearfield_field* field, const int32_t point[3],

@@ -62,7 +62,7 @@ class Source {
 
 const char* name_of(Operation operation) {
   switch (operation) {
-#define NEARFIELD_NAME(code, name, type, value, gradient) \
+#define NEARFIELD_NAME(code, name, type) \
   case Operation::name: return #name;
     NEARFIELD_OPERATIONS(NEARFIELD_NAME)
 #undef NEARFIELD_NAME

@@ -76,8 +76,6 @@ void agree_with_contents(Image& image) {
   image[format::erosion_word] = ScalarTraits<S>::word(found.certificate.erosion);
   image[format::inflation_word] = ScalarTraits<S>::word(found.certificate.inflation);
   image[format::error_word] = ScalarTraits<S>::word(found.certificate.error);
-  image[format::value_budget_word] = found.budget.value;
-  image[format::gradient_budget_word] = found.budget.gradient;
   repair_crc(image);
 }
 

@@ -60,7 +60,7 @@ template <class Shape> struct NodeTraits {
     else return shape.template evaluate<Highest<S>>(p);
   }
   static constexpr Certificate<S> certificate(const Shape& shape, Reach<S> reach) { return shape.certificate(reach); }
-  static constexpr Budget budget(const Shape& shape) { return cortex_m4_cost(shape); }
+  static constexpr Budget budget(const Shape& shape, Target target) { return cost_of(target, shape); }
   static constexpr uint32_t slot_count(const Shape&) { return 0; }
   static constexpr uint32_t parameter_count(const Shape&) { return 0; }
 };
@@ -81,7 +81,7 @@ template <> struct NodeListTraits<> {
   template <class S>
   static constexpr void highest(Highest<S>*, const NodeList<>&, const Vector3<S>&, const Ball<S>&, const Slots<S>&) {}
   template <class S> static constexpr void certificates(Certificate<S>*, const NodeList<>&, Reach<S>) {}
-  static constexpr Budget budget(const NodeList<>&) { return {}; }
+  static constexpr Budget budget(const NodeList<>&, Target) { return {}; }
   static constexpr uint32_t slot_count(const NodeList<>&) { return 0; }
   static constexpr uint32_t parameter_count(const NodeList<>&) { return 0; }
 };
@@ -104,7 +104,9 @@ template <class First, class... Rest> struct NodeListTraits<First, Rest...> {
     *out = NodeTraits<First>::certificate(list.first, reach);
     Others::template certificates<S>(out + 1, list.rest, reach);
   }
-  static constexpr Budget budget(const List& list) { return NodeTraits<First>::budget(list.first) + Others::budget(list.rest); }
+  static constexpr Budget budget(const List& list, Target target) {
+    return NodeTraits<First>::budget(list.first, target) + Others::budget(list.rest, target);
+  }
   static constexpr uint32_t slot_count(const List& list) {
     return greatest_of_two(NodeTraits<First>::slot_count(list.first), Others::slot_count(list.rest));
   }
@@ -154,7 +156,9 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
       return all;
     }
   }
-  static constexpr Budget budget(const Node& node) { return Operands::budget(node.operands) + cortex_m4_cost(node.operation); }
+  static constexpr Budget budget(const Node& node, Target target) {
+    return Operands::budget(node.operands, target) + cost_of(target, node.operation);
+  }
   static constexpr uint32_t slot_count(const Node& node) { return Operands::slot_count(node.operands); }
   static constexpr uint32_t parameter_count(const Node& node) {
     const uint32_t of_operands = Operands::parameter_count(node.operands);
@@ -222,8 +226,8 @@ template <class A> struct NodeTraits<Placed<A>> {
     placed.valid = placed.valid && valid_pose(node.pose);
     return placed;
   }
-  static constexpr Budget budget(const Node& node) {
-    return NodeTraits<A>::budget(node.a) + cortex_m4_cost(Operation::enter_pose) + cortex_m4_cost(Operation::leave);
+  static constexpr Budget budget(const Node& node, Target target) {
+    return NodeTraits<A>::budget(node.a, target) + cost(target, Operation::enter_pose);
   }
   static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
   static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
@@ -242,8 +246,8 @@ template <class A> struct NodeTraits<InBox<A>> {
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
     return node.box.certificate(NodeTraits<A>::certificate(node.a, node.box.reach()), reach);
   }
-  static constexpr Budget budget(const Node& node) {
-    return NodeTraits<A>::budget(node.a) + cortex_m4_cost(Operation::enter_box) + cortex_m4_cost(Operation::leave_box);
+  static constexpr Budget budget(const Node& node, Target target) {
+    return NodeTraits<A>::budget(node.a, target) + cost(target, Operation::enter_box);
   }
   static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
   static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
@@ -272,8 +276,8 @@ template <class A> struct NodeTraits<InSlot<A>> {
     placed.valid = placed.valid && node.slot < kSlotLimit;
     return placed;
   }
-  static constexpr Budget budget(const Node& node) {
-    return NodeTraits<A>::budget(node.a) + cortex_m4_cost(Operation::enter_slot) + cortex_m4_cost(Operation::leave);
+  static constexpr Budget budget(const Node& node, Target target) {
+    return NodeTraits<A>::budget(node.a, target) + cost(target, Operation::enter_slot);
   }
   static constexpr uint32_t slot_count(const Node& node) {
     return greatest_of_two(node.slot < kSlotLimit ? node.slot + 1 : kSlotLimit, NodeTraits<A>::slot_count(node.a));
@@ -396,14 +400,15 @@ template <class Node> class Field {
 
   constexpr explicit Field(const Node& node)
       : node_(node), certificate_(certify(node)), slot_count_(detail::NodeTraits<Node>::slot_count(node)),
-        parameter_count_(detail::NodeTraits<Node>::parameter_count(node)),
-        budget_(kCortexM4QueryCost + detail::NodeTraits<Node>::budget(node) +
-                Budget{0, slot_count_ * kCortexM4PoseCheckCost + parameter_count_ * kCortexM4ParameterCheckCost}) {}
+        parameter_count_(detail::NodeTraits<Node>::parameter_count(node)) {}
 
   constexpr bool valid() const { return certificate_.valid; }
   static constexpr Kind kind() { return Node::kind; }
   constexpr const Certificate<Scalar>& certificate() const { return certificate_; }
-  constexpr Budget budget() const { return budget_; }
+  // Worst-case instructions of a value, and of a clearance with all that it checks.
+  constexpr Budget budget(Target target = kThisTarget) const {
+    return query_cost(target, slot_count_, parameter_count_) + detail::NodeTraits<Node>::budget(node_, target);
+  }
   constexpr uint32_t slot_count() const { return slot_count_; }
   constexpr uint32_t parameter_count() const { return parameter_count_; }
 
@@ -427,7 +432,6 @@ template <class Node> class Field {
   Certificate<Scalar> certificate_;
   uint32_t slot_count_;
   uint32_t parameter_count_;
-  Budget budget_;
 };
 
 template <class Node> constexpr Field<Node> field(const Node& node) { return Field<Node>(node); }

@@ -2,7 +2,7 @@
 // Format: SPEC.md, "Images". Little-endian 32-bit words; position-independent; may lie in flash.
 #pragma once
 
-#include <nearfield/field/budget.hpp>
+#include <nearfield/field/operations.hpp>
 #include <nearfield/field/slots.hpp>
 
 namespace nearfield {
@@ -24,17 +24,16 @@ enum class LoadStatus : uint8_t {
   frames_unbalanced,
   frames_too_deep,
   parameter_out_of_range,
-  certificate_mismatch,  // the image claims another certificate, depth or budget than its contents have
+  certificate_mismatch,  // the image claims another certificate or depth than its contents have
 };
 
 namespace image_format {
 
 inline constexpr uint32_t magic = 0x3149464eu;  // "NFI1"
-inline constexpr uint32_t version = 2;
+inline constexpr uint32_t version = 3;
 enum Word : uint32_t {
   magic_word, version_word, size_word, crc_word, scalar_word, kind_word, table_words, program_words, stack_depth_word,
-  frame_depth_word, slot_count_word, lipschitz_word, erosion_word, inflation_word, error_word, value_budget_word,
-  gradient_budget_word, header_words
+  frame_depth_word, slot_count_word, lipschitz_word, erosion_word, inflation_word, error_word, header_words
 };
 // A table: index_bits, slope_headroom, the six facts, then 4 coefficients for each of 2^index_bits segments.
 inline constexpr uint32_t table_header_words = 8;
@@ -81,7 +80,6 @@ template <class S> struct Inspection {
   uint32_t at_word = 0;  // where it failed, counted from the image's start
   Kind kind = Kind::distance;
   Certificate<S> certificate;
-  Budget budget;
   int stack_depth = 0;
   int frame_depth = 0;
   uint32_t slot_count = 0;
@@ -108,7 +106,6 @@ template <class S, class Operations> class Inspector {
   constexpr Inspector(const uint32_t* image, uint32_t first, uint32_t last, uint32_t tables_first)
       : image_(image), at_(first), last_(last), tables_first_(tables_first), tables_last_(first) {
     reach_[0] = domain_reach<S>();
-    result_.budget = kCortexM4QueryCost;
   }
 
   constexpr Inspection<S> run() {
@@ -123,8 +120,6 @@ template <class S, class Operations> class Inspector {
     if (result_.status != LoadStatus::ok) return result_;
     if (frames_ != 0) return fail(LoadStatus::frames_unbalanced);
     if (stack_ != 1) return fail(LoadStatus::kind_mismatch);
-    result_.budget.gradient +=
-        result_.slot_count * kCortexM4PoseCheckCost + result_.parameter_count * kCortexM4ParameterCheckCost;
     result_.kind = kinds_[0];
     result_.certificate = certificates_[0];
     if (!result_.certificate.valid) return fail(LoadStatus::parameter_out_of_range);
@@ -139,7 +134,7 @@ template <class S, class Operations> class Inspector {
 
   constexpr void step(Operation operation, uint32_t words) {
     switch (operation) {
-#define NEARFIELD_CASE(code, name, type, value, gradient) \
+#define NEARFIELD_CASE(code, name, type) \
   case Operation::name:                                   \
     if constexpr (Operations::has(Operation::name)) return operate<type<S>>(words); \
     break;
@@ -199,7 +194,6 @@ template <class S, class Operations> class Inspector {
       }
       if (operation.slot >= result_.parameter_count) result_.parameter_count = operation.slot + 1;
     }
-    result_.budget = result_.budget + cortex_m4_cost(operation);
     result_.has_highest = result_.has_highest && passes_highest<T>;
     if constexpr (operand_count_of<T> == 0) {
       if constexpr (uses_table<T>) push(T::kind, operation.certificate(reach_[frames_], read_facts(image_ + table_)));
@@ -237,7 +231,6 @@ template <class S, class Operations> class Inspector {
     if (frames_ > result_.frame_depth) result_.frame_depth = frames_;
   }
   constexpr void enter_pose(uint32_t words) {
-    result_.budget = result_.budget + cortex_m4_cost(Operation::enter_pose);
     if (words != payload_words<Pose<S>>) {
       fail(LoadStatus::truncated_operation);
       return;
@@ -250,7 +243,6 @@ template <class S, class Operations> class Inspector {
     enter(pose.translation, PoseOrigin::constant);
   }
   constexpr void enter_slot(uint32_t words) {
-    result_.budget = result_.budget + cortex_m4_cost(Operation::enter_slot);
     if (words != 1) {
       fail(LoadStatus::truncated_operation);
       return;
@@ -265,7 +257,6 @@ template <class S, class Operations> class Inspector {
     enter({d, d, d}, PoseOrigin::run_time);
   }
   constexpr void enter_box(uint32_t words) {
-    result_.budget = result_.budget + cortex_m4_cost(Operation::enter_box);
     if (words != payload_words<Vector3<S>>) {
       fail(LoadStatus::truncated_operation);
       return;
@@ -280,7 +271,6 @@ template <class S, class Operations> class Inspector {
   }
   // What enter_box found, and one algebraic result more.
   constexpr void leave_box(uint32_t words) {
-    result_.budget = result_.budget + cortex_m4_cost(Operation::leave_box);
     if (words != payload_words<DeclaredBox<S>>) {
       fail(LoadStatus::truncated_operation);
       return;
@@ -308,7 +298,6 @@ template <class S, class Operations> class Inspector {
   }
   // A frame must leave exactly one result more than it found.
   constexpr void leave(uint32_t words) {
-    result_.budget = result_.budget + cortex_m4_cost(Operation::leave);
     if (words != 0 || frames_ == 0 || stack_ != floors_[frames_ - 1] + 1 || boxes_[frames_ - 1] != 0) {
       fail(LoadStatus::frames_unbalanced);
       return;
@@ -361,8 +350,6 @@ constexpr void write_header(uint32_t* image, uint32_t tables, uint32_t size, con
   image[erosion_word] = ScalarTraits<S>::word(found.certificate.erosion);
   image[inflation_word] = ScalarTraits<S>::word(found.certificate.inflation);
   image[error_word] = ScalarTraits<S>::word(found.certificate.error);
-  image[value_budget_word] = found.budget.value;
-  image[gradient_budget_word] = found.budget.gradient;
   image[crc_word] = image_crc(image, size);
 }
 
@@ -419,8 +406,7 @@ constexpr Inspection<S> inspect_image(const uint32_t* words, uint32_t word_count
       words[lipschitz_word] != static_cast<uint32_t>(found.certificate.lipschitz.raw()) ||
       words[erosion_word] != ScalarTraits<S>::word(found.certificate.erosion) ||
       words[inflation_word] != ScalarTraits<S>::word(found.certificate.inflation) ||
-      words[error_word] != ScalarTraits<S>::word(found.certificate.error) ||
-      words[value_budget_word] != found.budget.value || words[gradient_budget_word] != found.budget.gradient) {
+      words[error_word] != ScalarTraits<S>::word(found.certificate.error)) {
     return fail(LoadStatus::certificate_mismatch, kind_word);
   }
   return found;

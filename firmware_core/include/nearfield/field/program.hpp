@@ -1,6 +1,7 @@
 // A loaded program image as a field.
 #pragma once
 
+#include <nearfield/field/budget.hpp>
 #include <nearfield/field/image.hpp>
 
 namespace nearfield {
@@ -35,7 +36,9 @@ template <class S, class Operations = AllOperations> class Program {
   constexpr bool valid() const { return status() == LoadStatus::ok; }
   constexpr Kind kind() const { return inspection_.kind; }
   constexpr const Certificate<S>& certificate() const { return inspection_.certificate; }
-  constexpr Budget budget() const { return inspection_.budget; }
+  // Worst-case instructions of a value, and of a clearance with all that it checks. Nothing if not valid. Cost: a walk over
+  // the image.
+  Budget budget(Target target = kThisTarget) const;
   constexpr uint32_t slot_count() const { return inspection_.slot_count; }
   constexpr uint32_t parameter_count() const { return inspection_.parameter_count; }
 
@@ -131,6 +134,21 @@ template <class S, class Operations = AllOperations> class Program {
     __builtin_memcpy(words, static_cast<const void*>(&value), sizeof(T));
   }
 
+  // Of an operation of the image with all its items.
+  static Budget cost_in_image(Target target, Operation operation, [[maybe_unused]] const uint32_t* payload) {
+    switch (operation) {
+#define NEARFIELD_CASE(code, name, type)                                                     \
+  case Operation::name:                                                                      \
+    if constexpr (Operations::has(Operation::name) && detail::has_items<type<S>>)            \
+      return cost_of(target, fetch<type<S>>(payload));                                       \
+    break;
+      NEARFIELD_OPERATIONS(NEARFIELD_CASE)
+#undef NEARFIELD_CASE
+      default: break;
+    }
+    return cost(target, operation);
+  }
+
   TableView<S> table(uint32_t reference) const { return detail::table_of_image<S>(image_ + reference); }
 
   template <class T, class Out> __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
@@ -188,7 +206,7 @@ template <class S, class Operations = AllOperations> class Program {
   template <class Out>
   __attribute__((always_inline)) void step(Machine<Out>& m, Operation operation, const uint32_t* payload) const {
     switch (operation) {
-#define NEARFIELD_CASE(code, name, type, value, gradient) \
+#define NEARFIELD_CASE(code, name, type) \
   case Operation::name:                                   \
     if constexpr (Operations::has(Operation::name)) return operate<type<S>>(m, payload); \
     return;
@@ -248,6 +266,17 @@ Highest<S> Program<S, Operations>::highest(const Vector3<S>& p, S radius, const 
     at += word >> 8;
   }
   return machine.top;
+}
+
+template <class S, class Operations> Budget Program<S, Operations>::budget(Target target) const {
+  if (!valid()) return {};
+  Budget sum = query_cost(target, slot_count(), parameter_count());
+  for (const uint32_t *at = image_ + first_, *last = image_ + last_; at != last;) {
+    const uint32_t word = *at++;
+    sum = sum + cost_in_image(target, static_cast<Operation>(word & 0xffu), at);
+    at += word >> 8;
+  }
+  return sum;
 }
 
 // Checks an image in place, without copying it; see inspect_image() for the cost. `byte_count` may exceed the image.

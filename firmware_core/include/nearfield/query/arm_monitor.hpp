@@ -72,19 +72,29 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
     return out;
   }
 
-  // Worst-case instructions of a tick on Cortex-M4.
-  constexpr uint32_t budget() const {
+  // Worst-case instructions of a tick.
+  constexpr uint32_t budget(Target target = kThisTarget) const {
     const uint32_t bodies = arm->body_count(), person_bodies = person == nullptr ? 0 : person->body_count();
     uint32_t near_cell = 0;
     for (uint32_t i = 0; i < bodies; ++i) near_cell += checked_against_cell[i] != 0 ? 1 : 0;
-    return cost_of_the_rest + arm->poses_budget() + (person == nullptr ? 0 : person->poses_budget()) +
-           (bodies + person_bodies) * cost_per_placed_body +
-           sweep_budget(*cell, near_cell, static_cast<uint32_t>(effort.refinements)) +
-           (bodies * person_bodies + self_pair_count) * kCapsulePairCost + (soft == nullptr ? 0 : soft->budget().gradient - soft->slot_count() * kCortexM4PoseCheckCost);
+    const auto share = [target](QueryPart part) { return cost(target, part).value; };
+    // Poses from link_poses() are not checked again.
+    const uint32_t unchecked = soft == nullptr ? 0 : soft->slot_count() * cost(target, QueryPart::pose_check).gradient;
+    return capacity_sixteenths * share(QueryPart::tick) + arm->poses_budget(target) +
+           (person == nullptr ? 0 : person->poses_budget(target)) +
+           (bodies + person_bodies) * share(QueryPart::placed_body) +
+           sweep_budget(*cell, near_cell, static_cast<uint32_t>(effort.refinements), target) +
+           (bodies * person_bodies + self_pair_count) * share(QueryPart::capsule_pair) +
+           (soft == nullptr ? 0 : soft->budget(target).gradient - unchecked);
   }
-  static constexpr uint32_t cost_per_placed_body = 116, cost_of_the_rest = 1500;
 
  private:
+  // QueryPart::tick is what a tick costs besides its parts, of chains of up to 16 links and bodies.
+  static constexpr uint32_t greatest_capacity =
+      greatest_of_two<uint32_t>(greatest_of_two<uint32_t>(ArmChain::max_links, ArmChain::max_bodies),
+                                PersonChain::max_links);
+  static constexpr uint32_t capacity_sixteenths = (greatest_capacity + 15) / 16;
+
   // Everything that a tick refers to is there, and every number names something.
   constexpr bool consistent() const {
     if (arm == nullptr || cell == nullptr || checked_against_cell == nullptr || arm->body_count() == 0) return false;

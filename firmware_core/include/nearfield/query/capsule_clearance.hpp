@@ -150,11 +150,13 @@ template <class AnyField, class S> class CapsuleSweep {
 // The least clearance over `count` capsules (at least one). `stretches`: working memory for count + refinements of
 // them. `touching`: the nearest capsule's field value, less its radius, is for certain not positive.
 // An invalid capsule (out of the domain, NaN) makes the answer invalid and is named by it.
-// Cost on Cortex-M4: at most sweep_budget(), which ports/mps2/operation_costs.cpp measures.
-template <class AnyField> constexpr uint32_t sweep_budget(const AnyField& field, uint32_t count, uint32_t refinements) {
-  constexpr uint32_t capsule = 370, refinement = 450, look_at_stretch = 6;
-  return field.budget().gradient + count * (field.budget().value + capsule) +
-         refinements * (field.budget().value + refinement + look_at_stretch * (count + refinements));
+// Cost: at most sweep_budget().
+template <class AnyField>
+constexpr uint32_t sweep_budget(const AnyField& field, uint32_t count, uint32_t refinements, Target target = kThisTarget) {
+  const Budget of_field = field.budget(target), stretch = cost(target, QueryPart::stretch);
+  const uint32_t value = of_field.value;
+  return of_field.gradient + count * (value + cost(target, QueryPart::swept_capsule).value) +
+         refinements * (value + cost(target, QueryPart::refinement).value + stretch.value * (count + refinements));
 }
 
 template <class AnyField, class S = typename AnyField::Scalar>

@@ -36,8 +36,7 @@ template <class S> constexpr bool nearly_parallel(Unit<S> denominator) {
 // Below the true distance by up to 15 rounding units where the segments are at least a quarter of their summed lengths
 // apart, by up to 14 + 4 lengths / apart otherwise (measured, Fixed<27>, segments at more than 2^-12 rad to each other).
 // Precondition: both lie within 1 1/2 times the domain, as a Chain's placed bodies do; clearance_between() checks it.
-// Cost on Cortex-M4: kCapsulePairCost instructions at the most, clearance_between() included.
-inline constexpr uint32_t kCapsulePairCost = 408;
+// Cost: cost(target, QueryPart::capsule_pair) at the most, clearance_between() included.
 
 template <class S> struct SeparatedBy {
   S distance{};

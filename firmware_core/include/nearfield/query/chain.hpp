@@ -1,6 +1,7 @@
 // Robots: a chain (or tree) of links moved by joints, with capsules and balls for bodies, of fixed capacity.
 #pragma once
 
+#include <nearfield/field/budget.hpp>
 #include <nearfield/modify/frame.hpp>
 #include <nearfield/modify/sine.hpp>
 #include <nearfield/shape/capsule.hpp>
@@ -140,7 +141,7 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
   constexpr S body_error(int i) const { return body_errors_[i]; }
 
   // Poses of all links in the frame of the base, from `values[variable_count()]` (radians, metres).
-  // Cost on Cortex-M4: at most poses_budget().
+  // Cost: at most poses_budget().
   constexpr KinematicsStatus link_poses(const S* values, Pose<S>* poses) const {
     if (!valid_) return KinematicsStatus::invalid;
     poses[0] = base_;
@@ -174,13 +175,16 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
     return KinematicsStatus::ok;
   }
 
-  constexpr uint32_t poses_budget() const {
-    uint32_t sum = 60;
-    for (int i = 0; i + 1 < links_; ++i) sum += joints_[i].kind == JointKind::revolute ? 850 : 440;
-    return sum;
+  // Worst-case instructions of link_poses().
+  constexpr uint32_t poses_budget(Target target = kThisTarget) const {
+    uint32_t revolute = 0;
+    for (int i = 0; i + 1 < links_; ++i) revolute += joints_[i].kind == JointKind::revolute ? 1u : 0u;
+    const uint32_t others = links_ - (links_ == 0 ? 0u : 1u) - revolute;
+    return cost(target, QueryPart::link_poses).value + revolute * cost(target, QueryPart::revolute_joint).value +
+           others * cost(target, QueryPart::other_joint).value;
   }
 
-  // Body i in the frame of the base, from its link's pose.
+  // Body i in the frame of the base, from its link's pose. Cost: cost(target, QueryPart::placed_body).
   constexpr Capsule<S> placed_body(int i, const Pose<S>* poses) const {
     const Body<S>& body = body_list_[i];
     const Pose<S>& pose = poses[body.link];

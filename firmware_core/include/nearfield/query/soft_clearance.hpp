@@ -31,11 +31,10 @@ constexpr bool may_be_asked_softly(const AnyField& field, const Vector3<S>& p, c
 
 }  // namespace detail
 
-// Worst-case instructions on Cortex-M4 of a query below; ports/mps2/operation_costs.cpp measures them.
-template <class AnyField> constexpr uint32_t soft_clearance_budget(const AnyField& field) {
-  constexpr uint32_t step = 60, direction = 150;
-  return field.budget().gradient + direction +
-         kSoftClearanceSteps * (cortex_m4_highest_cost(field.budget().value) + step);
+// Worst-case instructions of a query below.
+template <class AnyField> constexpr uint32_t soft_clearance_budget(const AnyField& field, Target target = kThisTarget) {
+  const Budget of_field = field.budget(target);
+  return of_field.gradient + cost(target, QueryPart::soft_clearance).gradient + kSoftClearanceSteps * of_field.highest;
 }
 
 // A ball around p (metres, field frame, within ScalarTraits<S>::domain()) in which an intensity, a Field or a Program, is

@@ -1,8 +1,8 @@
 // Operands that bring shapes, conversions and frames to their worst paths.
 #pragma once
 
-#include <operation_costs_tables.hpp>
-#include <operation_costs_trial.hpp>
+#include <operation_costs/report.hpp>
+#include <operation_costs/tables.hpp>
 
 namespace nearfield::costs {
 
@@ -87,7 +87,7 @@ inline void measure_variable_influence() {
   }
 }
 
-inline Cost box_cost(const AlgebraicPlane<Q>& field, const Vector3<Q>& half) {
+inline Budget box_cost(const AlgebraicPlane<Q>& field, const Vector3<Q>& half) {
   // The constant of the field over the box, from a first look at it.
   DeclaredBox<Q> box(half, kUnitRate);
   Builder draft;
@@ -101,19 +101,18 @@ inline Cost box_cost(const AlgebraicPlane<Q>& field, const Vector3<Q>& half) {
 }
 
 inline void report_frames() {
-  using Code = Operation;
+  const auto report_frame = [](const char* name, Operation enter, const Budget& measured) {
+    report(Row::operation, name, measured, cost(kTarget, enter));
+  };
   Trial trial;
   trial.operand(kBall);
-  const auto cost = [](Code enter, Code leave) {
-    return stated_cost(cortex_m4_cost(enter) + cortex_m4_cost(leave));
-  };
   trial.whole() = Builder();
   trial.whole().enter(kPose).operation(kBall).leave();
-  report("enter_pose and leave", trial.worst("enter_pose"), cost(Code::enter_pose, Code::leave));
+  report_frame("enter_pose", Operation::enter_pose, trial.worst("enter_pose"));
   trial.whole() = Builder();
   trial.whole().enter_slot(0).operation(kBall).leave();
-  report("enter_slot and leave", trial.worst("enter_slot"), cost(Code::enter_slot, Code::leave));
-  Cost box;
+  report_frame("enter_slot", Operation::enter_slot, trial.worst("enter_slot"));
+  Budget box;
   const Vector3<Q> halves[] = {Vector3<Q>{4.0, 4.0, 4.0}, Vector3<Q>{0.5, 0.4, 0.3},
                                Vector3<Q>{0.1, 4.0, 1.0}};
   for (const Vector3<Q>& half : halves) {
@@ -124,7 +123,7 @@ inline void report_frames() {
       box = greatest_of_both(box, box_cost(field, half));
     }
   }
-  report("enter_box and leave_box", box, cost(Code::enter_box, Code::leave_box));
+  report_frame("enter_box", Operation::enter_box, box);
 }
 
 inline void measure_fields() {

@@ -3,7 +3,7 @@
 
 #include <nearfield/curve/radius_profile.hpp>
 
-#include <operation_costs_fields.hpp>
+#include <operation_costs/fields.hpp>
 
 namespace nearfield::costs {
 

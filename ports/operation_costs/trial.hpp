@@ -14,7 +14,7 @@ using Q = Fixed<27>;
 using Builder = ImageBuilder<Q, 1024>;
 
 // Of a program without operands; fewer if they are measured as well.
-inline constexpr int kPoints = 8000;
+inline constexpr int kPoints = 4000;
 
 // A point, and the radius of a ball about it.
 struct Place {
@@ -93,37 +93,73 @@ inline Program<Q> loaded(Builder& builder, const char* what) {
   return load<Q>(builder.words(), builder.size() * 4);
 }
 
-// Of what programs evaluate: a value, a value with its gradient, the greatest value in a ball.
-struct Cost {
-  uint32_t value = 0, gradient = 0, highest = 0;
-};
-constexpr Cost greatest_of_both(const Cost& a, const Cost& b) {
+inline constexpr Target kTarget = Target::NEARFIELD_TARGET_NAME;
+
+constexpr Budget greatest_of_both(const Budget& a, const Budget& b) {
   return {greatest_of_two(a.value, b.value), greatest_of_two(a.gradient, b.gradient),
           greatest_of_two(a.highest, b.highest)};
 }
 
-// What is left of a cost when as much is taken away.
-constexpr Cost beyond(const Cost& a, const Cost& b) {
-  const auto less = [](uint32_t x, uint32_t y) { return x > y ? x - y : 1; };
-  return {less(a.value, b.value), less(a.gradient, b.gradient), less(a.highest, b.highest)};
-}
-inline Cost stated_cost(Budget stated) {
-  return {stated.value, stated.gradient, cortex_m4_highest_cost(stated.value)};
-}
-
 // Of evaluate() itself: what a program without operations takes. None is valid, but it can be run.
-inline Cost evaluation_cost() {
+inline Budget evaluation_cost() {
   return {instructions_at<Value<Q>>({}, {}), instructions_at<Sample<Q>>({}, {}),
           instructions_at<Highest<Q>>({}, {})};
 }
 
-// The greatest costs measured so far, by the operation's code; of any number of items beyond what is stated of each.
-inline Cost measured_costs[256];
+// The greatest costs measured so far of an operation, for each number of items that was tried.
+struct Measured {
+  static constexpr uint32_t most_counts = 16;
+  struct OfCount {
+    uint32_t items = 0;
+    Budget cost;
+  };
+  OfCount of_count[most_counts];
+  uint32_t counts = 0;
+
+  void note(uint32_t items, const Budget& cost) {
+    uint32_t i = 0;
+    while (i < counts && of_count[i].items != items) ++i;
+    if (i == counts) counts += counts < most_counts ? 1 : 0;
+    of_count[i % most_counts].items = items;
+    Budget& known = of_count[i % most_counts].cost;
+    known = greatest_of_both(known, cost);
+  }
+
+  // The least line through the costs of fewest and most items that is above all.
+  struct Line {
+    uint32_t base, item;
+  };
+  template <class Count>
+  Line line(Count&& count) const {
+    const OfCount *fewest = of_count, *most = of_count;
+    for (uint32_t i = 0; i < counts; ++i) {
+      if (of_count[i].items < fewest->items) fewest = of_count + i;
+      if (of_count[i].items > most->items) most = of_count + i;
+    }
+    const uint32_t items = most->items - fewest->items, low = count(fewest->cost), high = count(most->cost);
+    const uint32_t item = items == 0 || high <= low ? 0 : (high - low + items - 1) / items;
+    uint32_t base = 1;
+    for (uint32_t i = 0; i < counts; ++i) {
+      const uint32_t all = count(of_count[i].cost), of_items = of_count[i].items * item;
+      if (all > base + of_items) base = all - of_items;
+    }
+    return {base, item};
+  }
+  Budget base() const {
+    return {line([](const Budget& c) { return c.value; }).base, line([](const Budget& c) { return c.gradient; }).base,
+            line([](const Budget& c) { return c.highest; }).base};
+  }
+  Budget item() const {
+    return {line([](const Budget& c) { return c.value; }).item, line([](const Budget& c) { return c.gradient; }).item,
+            line([](const Budget& c) { return c.highest; }).item};
+  }
+};
+inline Measured measured_costs[256];
 
 constexpr const char* name_of(Operation operation) {
   switch (operation) {
-#define NEARFIELD_NAME(code, name, type, value, gradient) \
-  case Operation::name:                                   \
+#define NEARFIELD_NAME(code, name, type) \
+  case Operation::name:                  \
     return #name;
     NEARFIELD_OPERATIONS(NEARFIELD_NAME)
 #undef NEARFIELD_NAME
@@ -156,23 +192,19 @@ class Trial {
   void measure(const T& operation) {
     append(whole_, operation);
     const Operation code = OperationOf<T>::value;
-    Cost cost = worst(name_of(code));
-    if constexpr (detail::has_items<T>) {
-      const auto count = static_cast<uint32_t>(detail::item_count(operation));
-      cost = beyond(cost, stated_cost(count * cortex_m4_item_cost(code)));
-    }
-    Cost& known = measured_costs[static_cast<uint32_t>(code)];
-    known = greatest_of_both(known, cost);
+    uint32_t items = 0;
+    if constexpr (detail::has_items<T>) items = static_cast<uint32_t>(detail::item_count(operation));
+    measured_costs[static_cast<uint32_t>(code)].note(items, worst(name_of(code)));
   }
   // The whole program, for frames.
   Builder& whole() { return whole_; }
 
-  Cost worst(const char* what) {
+  Budget worst(const char* what) {
     const Program<Q> whole = loaded(whole_, what);
     Program<Q> operands[kStackDepth];
     for (int i = 0; i < operand_count_; ++i) operands[i] = loaded(operands_[i], what);
-    const Cost evaluation = evaluation_cost();
-    Cost worst;
+    const Budget evaluation = evaluation_cost();
+    Budget worst;
     Random random;
     for (int i = 0; i < kPoints / (operand_count_ + 1); ++i) {
       const Place at = random.place();
@@ -208,45 +240,5 @@ class Trial {
   uint32_t table_ = 0;
   int operand_count_ = 0;
 };
-
-// Counts that exceed what is stated, and operations that were not measured.
-inline int failures = 0;
-
-inline void write_heading() {
-  board::write_padded("", 40);
-  board::write("  value stated  gradient stated  highest stated\n");
-}
-// 0: there is no such count.
-inline void write_pair(uint32_t measured, uint32_t stated, size_t width) {
-  const auto write = [](uint32_t count, size_t columns) {
-    if (count != 0) return board::write_right_aligned(count, columns);
-    for (size_t i = 1; i < columns; ++i) board::write(" ");
-    board::write("-");
-  };
-  write(measured, width);
-  write(stated, 7);
-  failures += measured > stated ? 1 : 0;
-}
-inline void report(const char* name, const Cost& measured, const Cost& stated) {
-  const int failures_before = failures;
-  board::write_padded(name, 40);
-  write_pair(measured.value, stated.value, 7);
-  write_pair(measured.gradient, stated.gradient, 10);
-  write_pair(measured.highest, stated.highest, 9);
-  board::write(failures == failures_before ? "\n" : "  EXCEEDED\n");
-}
-// Every operation of the list; fails for those that were not measured.
-inline void report_operations() {
-  const auto report_one = [](Operation operation, const char* name) {
-    const Cost& measured = measured_costs[static_cast<uint32_t>(operation)];
-    report(name, measured, stated_cost(cortex_m4_cost(operation)));
-    if (measured.value != 0) return;
-    board::write("  not measured\n");
-    ++failures;
-  };
-#define NEARFIELD_REPORT(code, name, type, value, gradient) report_one(Operation::name, #name);
-  NEARFIELD_OPERATIONS(NEARFIELD_REPORT)
-#undef NEARFIELD_REPORT
-}
 
 }  // namespace nearfield::costs

@@ -1,7 +1,7 @@
 // Operands that bring the solids beyond the common ones, and offsets, to their worst paths.
 #pragma once
 
-#include <operation_costs_fields.hpp>
+#include <operation_costs/fields.hpp>
 
 namespace nearfield::costs {
 

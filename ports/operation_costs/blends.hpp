@@ -2,7 +2,7 @@
 // signs and sizes.
 #pragma once
 
-#include <operation_costs_fields.hpp>
+#include <operation_costs/fields.hpp>
 
 namespace nearfield::costs {
 

@@ -1,7 +1,7 @@
 // Ray functions, sweeps and the quartic of a torus on their worst paths.
 #pragma once
 
-#include <operation_costs_fields.hpp>
+#include <operation_costs/fields.hpp>
 
 namespace nearfield::costs {
 

@@ -1,7 +1,7 @@
 // Skeletons of few and of many parts, brought to their worst paths.
 #pragma once
 
-#include <operation_costs_trial.hpp>
+#include <operation_costs/trial.hpp>
 
 namespace nearfield::costs {
 

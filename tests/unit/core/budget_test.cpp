@@ -1,0 +1,93 @@
+/// What budgets are made of: every operation and part of a query is stated on every target.
+
+#include <nearfield/field/builder.hpp>
+#include <nearfield/field/compose.hpp>
+#include <nearfield/field/program.hpp>
+#include <nearfield/query/soft_clearance.hpp>
+
+#include <gtest/gtest.h>
+
+namespace nearfield {
+namespace {
+
+using S = Fixed<27>;
+
+constexpr Target kTargets[] = {
+#define NEARFIELD_TARGET(name) Target::name,
+    NEARFIELD_TARGETS(NEARFIELD_TARGET)
+#undef NEARFIELD_TARGET
+};
+constexpr uint32_t kLeastThatIsNone = 100000000;
+
+bool measured(const Budget& cost) {
+  return cost.value < kLeastThatIsNone && cost.gradient < kLeastThatIsNone && cost.highest < kLeastThatIsNone;
+}
+
+TEST(Budget, EveryOperationIsStatedOnEveryTarget) {
+  for (const Target target : kTargets) {
+    const auto check = [&](Operation operation, const char* name, bool has_items) {
+      const Budget all = cost(target, operation);
+      EXPECT_TRUE(measured(all)) << name << " on target " << static_cast<int>(target);
+      EXPECT_GT(all.value, 0u) << name;
+      EXPECT_GT(all.gradient, 0u) << name;
+      EXPECT_EQ(measured(item_cost(target, operation)), has_items) << name;
+    };
+#define NEARFIELD_CHECK(code, name, type) check(Operation::name, #name, detail::has_items<type<S>>);
+    NEARFIELD_OPERATIONS(NEARFIELD_CHECK)
+#undef NEARFIELD_CHECK
+    for (const Operation frame : {Operation::enter_pose, Operation::enter_slot, Operation::enter_box}) {
+      EXPECT_TRUE(measured(cost(target, frame)));
+      EXPECT_GT(cost(target, frame).value, 0u);
+    }
+  }
+}
+
+TEST(Budget, EveryPartOfAQueryIsStatedOnEveryTarget) {
+  for (const Target target : kTargets) {
+    for (int part = 0; part <= static_cast<int>(QueryPart::c_pose); ++part)
+      EXPECT_TRUE(measured(cost(target, static_cast<QueryPart>(part)))) << part;
+    EXPECT_FALSE(measured(cost(target, static_cast<QueryPart>(static_cast<int>(QueryPart::c_pose) + 1))));
+  }
+}
+
+TEST(Budget, WhatIsNotKnownCostsMoreThanAnyField) {
+  EXPECT_FALSE(measured(cost(Target::cortex_m4, static_cast<Operation>(0xee))));
+  EXPECT_FALSE(measured(cost(static_cast<Target>(99), Operation::sphere)));
+  EXPECT_FALSE(measured(item_cost(Target::cortex_m4, Operation::sphere)));
+}
+
+TEST(Budget, SumsStayAtTheGreatestNumber) {
+  const Budget half = {0x80000000u, 1, 0xffffffffu};
+  const Budget sum = half + half, product = 3 * half;
+  EXPECT_EQ(sum.value, 0xffffffffu);
+  EXPECT_EQ(sum.gradient, 2u);
+  EXPECT_EQ(sum.highest, 0xffffffffu);
+  EXPECT_EQ(product.value, 0xffffffffu);
+  EXPECT_EQ(product.gradient, 3u);
+}
+
+TEST(Budget, OfAProgramIsTheSumOfItsOperationsAndItsQuery) {
+  const Vector3<S> points[] = {{0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, {0.1, 0.2, 0.0}};
+  const Polyline<S> line(points, 3, S(0.05));
+  ImageBuilder<S, 256> builder;
+  builder.enter_slot(0).operation(Sphere<S>{{}, S(0.1)}).leave().operation(line).operation(SharpUnion<S>{});
+  ASSERT_EQ(builder.finish().status, LoadStatus::ok);
+  const Program<S> program = load<S>(builder.words(), builder.size() * 4);
+  for (const Target target : kTargets) {
+    const Budget expected = query_cost(target, 1, 0) + cost(target, Operation::enter_slot) +
+                            cost(target, Operation::sphere) + cost(target, Operation::polyline) +
+                            2 * item_cost(target, Operation::polyline) + cost(target, Operation::sharp_union);
+    EXPECT_EQ(program.budget(target).value, expected.value);
+    EXPECT_EQ(program.budget(target).gradient, expected.gradient);
+    EXPECT_EQ(program.budget(target).highest, expected.highest);
+    const auto composed = field(combine(SharpUnion<S>{}, in_slot(0, Sphere<S>{{}, S(0.1)}), line));
+    EXPECT_EQ(composed.budget(target).gradient, expected.gradient);
+  }
+  EXPECT_EQ(program.budget().gradient, program.budget(Target::cortex_m4).gradient);
+  EXPECT_EQ(Program<S>().budget().gradient, 0u);
+  // A core without a long multiplication takes longer.
+  EXPECT_GT(program.budget(Target::cortex_m0).gradient, 2 * program.budget(Target::cortex_m4).gradient);
+}
+
+}  // namespace
+}  // namespace nearfield
