@@ -2,20 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace nearfield::host {
 namespace {
 
 constexpr int search_depth = 7;    // halvings of the search's edges
 constexpr int refinements = 2;     // searches, each in what the one before has found
-constexpr int last_depth = 10;     // of the search for where the surface ends
-constexpr double far_from = 3.0;   // radii of a cell beyond which the first-order distance tells that it is empty
+// Of the search for where the surface ends; without a proof many more cells are looked into.
+constexpr int last_depth = 10, last_depth_uncertified = 8;
 
 Vector3d least(const Vector3d& a, const Vector3d& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vector3d greatest(const Vector3d& a, const Vector3d& b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
+
+constexpr double Vector3d::* coordinates[] = {&Vector3d::x, &Vector3d::y, &Vector3d::z};
+
+double longest_edge(const Box3& box) { return std::max({box.size().x, box.size().y, box.size().z}); }
 
 class Search {
  public:
@@ -30,20 +33,28 @@ class Search {
     // |f| over the slope, without dividing by a slope of 0.
     const double slope = length(answer.gradient), distance = std::abs(answer.outward);
     if (depth == 0) {
-      if (distance <= slope * radius || changes_sign(cell, answer.outward < 0.0)) add(cell);
+      const double reach = slope * radius;
+      if (distance <= reach || (distance <= 3.0 * reach && changes_sign(cell, answer.outward < 0.0))) add(cell);
       return;
     }
     // Certified fields need no guess; of others the coarse cells are all looked into.
-    if (!field_.certified() && depth < coarse_ && distance > far_from * slope * radius &&
-        !changes_sign(cell, answer.outward < 0.0)) {
-      return;
+    if (!field_.certified() && depth < coarse_) {
+      const bool fine = depth < coarse_ - 2;  // small enough for the field to be nearly linear in it
+      if (distance > (fine ? 1.5 : 3.0) * slope * radius && (fine || !changes_sign(cell, answer.outward < 0.0))) return;
     }
+    // Only long edges, so that cells become cubes.
+    const double longest = longest_edge(cell);
     for (unsigned part = 0; part < 8; ++part) {
-      const auto half = [part, &cell, &middle](unsigned axis, double Vector3d::* x) {
-        return (part >> axis & 1U) != 0 ? std::pair{middle.*x, cell.high.*x} : std::pair{cell.low.*x, middle.*x};
-      };
-      const auto x = half(0, &Vector3d::x), y = half(1, &Vector3d::y), z = half(2, &Vector3d::z);
-      look({{x.first, y.first, z.first}, {x.second, y.second, z.second}}, depth - 1);
+      Box3 child = cell;
+      bool exists = true;
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        double Vector3d::* const x = coordinates[axis];
+        const bool upper = (part >> axis & 1U) != 0, split = cell.high.*x - cell.low.*x > 0.6 * longest;
+        exists = exists && (split || !upper);
+        Vector3d& side = upper ? child.low : child.high;
+        if (split) side.*x = middle.*x;
+      }
+      if (exists) look(child, depth - 1);
     }
   }
   void start_from(const Box3& box) { found_ = box; }
@@ -66,8 +77,6 @@ class Search {
   int coarse_;  // depth from which on cells are looked into whatever is in their middle
   std::optional<Box3> found_;
 };
-
-double longest_edge(const Box3& box) { return std::max({box.size().x, box.size().y, box.size().z}); }
 
 // At least a point in the middle is left.
 Box3 shrunk(const Box3& box, double by) {
@@ -99,9 +108,10 @@ std::optional<Box3> surface_box(const SceneField& field, const Box3& search) {
     within = intersection(grown(*found, longest_edge(*found) / 64.0), search);
   }
   // The surface reaches to within two of the cells that were found; what lies nearer to the middle needs no second look.
-  Search last(field, last_depth);
+  const int depth = field.certified() ? last_depth : last_depth_uncertified;
+  Search last(field, depth);
   last.start_from(shrunk(*found, 2.0 / (1 << search_depth) * longest_edge(within)));
-  last.look(within, last_depth);
+  last.look(within, depth);
   return last.found();
 }
 
