@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <nearfield/query/soft_clearance.hpp>
+#include <nearfield/shape/algebraic_bounds.hpp>
 
 #include "simulate/field_at_rest.hpp"
 
@@ -27,6 +28,7 @@ class SceneFieldIn final : public SceneField {
         sign_(kind_ == Kind::intensity ? -1.0 : 1.0),
         metres_per_gradient_(kind_ == Kind::distance ? 1.0 : detail::power_of_two(kGradientLengthLog2)),
         domain_(real(ScalarTraits<S>::domain())),
+        saturation_((1.0 - 1e-6) * real(algebraic_limit<S>())),
         rounding_(1.8 * real(ScalarTraits<S>::rounding_unit(ScalarTraits<S>::domain()))) {
     const Certificate<S>& certificate = field_.program.certificate();
     if (certificate.lipschitz != kNoRateBound && !certificate.partial) {
@@ -50,7 +52,8 @@ class SceneFieldIn final : public SceneField {
   double outward(const Vector3d& p) const override { return sign_ * (value(p) - level_); }
   FieldAnswer at(const Vector3d& p) const override {
     const Sample<S> sample = field_.at(quantise<S>(p));
-    const double factor = sign_ / metres_per_gradient_;
+    // A gradient says nothing of a value that ends there.
+    const double factor = std::abs(real(sample.value)) < saturation_ ? sign_ / metres_per_gradient_ : 0.0;
     return {sign_ * (real(sample.value) - level_),
             factor * Vector3d{real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)}};
   }
@@ -90,7 +93,7 @@ class SceneFieldIn final : public SceneField {
 
   FieldAtRest<S> field_;
   Kind kind_;
-  double level_, sign_, metres_per_gradient_, domain_;
+  double level_, sign_, metres_per_gradient_, domain_, saturation_;
   double rounding_;  // m: how far a point moves at most when it becomes one of the scalar's
   FieldProof proof_;
   bool highest_ = false;

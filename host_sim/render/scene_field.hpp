@@ -18,7 +18,7 @@ namespace nearfield::host {
 // Where f is more than 0 is outside, whatever the kind: f = value - level, of intensities level - value.
 struct FieldAnswer {
   double outward = 0.0;  // f
-  Vector3d gradient;     // of f, per m
+  Vector3d gradient;     // of f, per m; {0, 0, 0} where the value has saturated
 };
 
 // What is proved of f, as double and rounded to the careful side.

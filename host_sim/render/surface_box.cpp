@@ -6,10 +6,11 @@
 namespace nearfield::host {
 namespace {
 
-constexpr int search_depth = 7;    // halvings of the search's edges
-constexpr int refinements = 2;     // searches, each in what the one before has found
-// Of the search for where the surface ends; without a proof many more cells are looked into.
-constexpr int last_depth = 10, last_depth_uncertified = 8;
+constexpr int refinements = 2;  // searches, each in what the one before has found
+// Halvings of the search's longest edge; without a proof many more cells are looked into.
+constexpr int search_depth = 7, search_depth_uncertified = 6;
+// The same of the search for where the surface ends.
+constexpr int last_depth = 10, last_depth_uncertified = 7;
 
 Vector3d least(const Vector3d& a, const Vector3d& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vector3d greatest(const Vector3d& a, const Vector3d& b) {
@@ -98,20 +99,23 @@ Box3 domain_box(const SceneField& field) {
 }
 
 std::optional<Box3> surface_box(const SceneField& field, const Box3& search) {
+  const bool certified = field.certified();
+  const int depth = certified ? search_depth : search_depth_uncertified;
   Box3 within = search;
   std::optional<Box3> found;
+  double cell = 0.0;
   for (int round = 0; round < refinements; ++round) {
-    Search one(field, search_depth);
-    one.look(within, search_depth);
+    Search one(field, depth);
+    one.look(within, depth);
     if (!one.found()) return found;
     found = one.found();
+    cell = longest_edge(within) / (1 << depth);
     within = intersection(grown(*found, longest_edge(*found) / 64.0), search);
   }
   // The surface reaches to within two of the cells that were found; what lies nearer to the middle needs no second look.
-  const int depth = field.certified() ? last_depth : last_depth_uncertified;
-  Search last(field, depth);
-  last.start_from(shrunk(*found, 2.0 / (1 << search_depth) * longest_edge(within)));
-  last.look(within, depth);
+  Search last(field, certified ? last_depth : last_depth_uncertified);
+  last.start_from(shrunk(*found, 2.0 * cell));
+  last.look(within, certified ? last_depth : last_depth_uncertified);
   return last.found();
 }
 
