@@ -10,7 +10,7 @@ constexpr int refinements = 2;  // searches, each in what the one before has fou
 // Halvings of the search's longest edge; without a proof many more cells are looked into.
 constexpr int search_depth = 7, search_depth_uncertified = 6;
 // The same of the search for where the surface ends.
-constexpr int last_depth = 10, last_depth_uncertified = 7;
+constexpr int last_depth = 9, last_depth_uncertified = 7;
 
 Vector3d least(const Vector3d& a, const Vector3d& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vector3d greatest(const Vector3d& a, const Vector3d& b) {

@@ -148,7 +148,7 @@ TEST(SurfaceBox, IsAboutTheSurface) {
     const auto field = field_of_text(known.text);
     const auto box = surface_box(*field, domain_box(*field));
     ASSERT_TRUE(box) << known.text;
-    const double slack = (field->certified() ? 1.0 / 256.0 : 1.0 / 48.0) * std::max({box->size().x, box->size().y, box->size().z});
+    const double slack = (field->certified() ? 1.0 / 128.0 : 1.0 / 48.0) * std::max({box->size().x, box->size().y, box->size().z});
     for (double Vector3d::* x : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
       EXPECT_LE(box->low.*x, known.low.*x + 1e-9) << known.text;
       EXPECT_GE(box->low.*x, known.low.*x - slack) << known.text;
