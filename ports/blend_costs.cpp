@@ -5,7 +5,7 @@
 #include <nearfield/curve/kernel.hpp>
 
 #include <board/cost_rows.hpp>
-#include <board/semihosting.hpp>
+#include <board/console.hpp>
 
 #include <float_blends.hpp>
 

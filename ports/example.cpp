@@ -1,6 +1,6 @@
 // A program for the board: what it does goes between the two lines that measure.
 #include <board/instruction_counter.hpp>
-#include <board/semihosting.hpp>
+#include <board/console.hpp>
 #include <board/stack_watermark.hpp>
 
 int main() {

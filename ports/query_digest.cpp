@@ -7,8 +7,8 @@ int main() {
   using namespace nearfield::golden;
   using nearfield::Fixed;
   using nearfield::board::print_digest;
-  bool same = print_digest("fixed27", query_digest<Fixed<27>>(kDigestQueries), kFixed27Digest);
-  same = print_digest("fixed16", query_digest<Fixed<16>>(kDigestQueries), kFixed16Digest) && same;
-  same = print_digest("float", query_digest<float>(kDigestQueries), kFloatDigest) && same;
+  bool same = print_digest("fixed27", query_digest<Fixed<27>>(kTargetDigestQueries), kFixed27TargetDigest);
+  same = print_digest("fixed16", query_digest<Fixed<16>>(kTargetDigestQueries), kFixed16TargetDigest) && same;
+  same = print_digest("float", query_digest<float>(kTargetDigestQueries), kFloatTargetDigest) && same;
   return same ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 # What the toolchain files of all bare-metal cores share: freestanding, no C or C++ library, libgcc only. Each
 # sets CMAKE_SYSTEM_PROCESSOR, `tool_prefix` and `core_flags`, then includes this.
 set(CMAKE_SYSTEM_NAME Generic)
+set(NEARFIELD_BARE_METAL ON)
 set(CMAKE_CXX_COMPILER ${tool_prefix}g++)
 set(NEARFIELD_SIZE_TOOL ${tool_prefix}size)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)

@@ -1,5 +1,5 @@
-# What the toolchain files of all Cortex-M cores share. Each sets CMAKE_SYSTEM_PROCESSOR, with an f behind the
-# name of the core if it has an FPU, and then `float_flags`.
+# What the toolchain files of all Cortex-M cores share. Each sets CMAKE_SYSTEM_PROCESSOR, and
+# `float_flags` if the FPU is used; of a core in two builds the one that uses it has an f behind its name.
 set(tool_prefix arm-none-eabi-)
 if(NOT DEFINED float_flags)
   set(float_flags "-mfloat-abi=soft")

@@ -7,11 +7,18 @@ set -eu
 
 host_packages="g++ cmake ninja-build"
 cortex_m4_packages="$host_packages gcc-arm-none-eabi binutils-arm-none-eabi qemu-system-arm"
+# What -m32 needs, by its parts: g++-multilib cannot be installed beside a cross compiler.
+linux_packages="g++-aarch64-linux-gnu qemu-user libc6-dev-i386 lib32gcc-12-dev"
+wasm_packages="clang lld nodejs"
+avr_packages="clang gcc-avr avr-libc simavr"
 riscv_packages="gcc-riscv64-unknown-elf binutils-riscv64-unknown-elf qemu-system-misc"
 case "${1:-}" in
   host) packages=$host_packages ;;
   cortex-m4) packages=$cortex_m4_packages ;;
-  test) packages="$cortex_m4_packages $riscv_packages gcc clang libclang-rt-14-dev libgtest-dev binutils" ;;
+  test)
+    packages="$cortex_m4_packages $riscv_packages $linux_packages $wasm_packages $avr_packages gcc clang libclang-rt-14-dev
+              libgtest-dev binutils"
+    ;;
   *)
     sed -n '2,5s/^# //p' "$0" >&2
     exit 2
@@ -33,6 +40,10 @@ is_present() {
     gcc-arm-none-eabi) command -v arm-none-eabi-g++ >/dev/null 2>&1 && return 0 ;;
     gcc-riscv64-unknown-elf) command -v riscv64-unknown-elf-g++ >/dev/null 2>&1 && return 0 ;;
     qemu-system-arm) command -v qemu-system-arm >/dev/null 2>&1 && return 0 ;;
+    g++-aarch64-linux-gnu) command -v aarch64-linux-gnu-g++ >/dev/null 2>&1 && return 0 ;;
+    qemu-user) command -v qemu-aarch64 >/dev/null 2>&1 && return 0 ;;
+    lld) command -v wasm-ld >/dev/null 2>&1 && return 0 ;;
+    nodejs) command -v node >/dev/null 2>&1 && return 0 ;;
     qemu-system-misc) command -v qemu-system-riscv32 >/dev/null 2>&1 && return 0 ;;
   esac
   dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q '^install ok installed$'

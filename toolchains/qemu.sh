@@ -1,7 +1,6 @@
 #!/bin/sh
 # usage: qemu.sh CORE IMAGE [ARGUMENT...]
-# Runs an image of ports/ in QEMU, on the board with this core: cortex-m0, cortex-m3, cortex-m4, cortex-m4f or
-# rv32imac. Its output goes to standard output, its exit status is the result; 124 when it has not ended after
+# Runs an image of ports/ in QEMU, on the board with this core: the name of a toolchain file here. Its output goes to standard output, its exit status is the result; 124 when it has not ended after
 # NEARFIELD_QEMU_SECONDS (default 600). Every instruction takes the same time on the board's clock, so that
 # its timers count instructions: 256 ns on Arm; 1 ns on RISC-V, whose counter of instructions QEMU derives
 # from the clock. NEARFIELD_QEMU_ICOUNT=off runs without that.
@@ -18,7 +17,10 @@ case "$1" in
   cortex-m0) emulator="qemu-system-arm -M microbit" ;;
   cortex-m3) emulator="qemu-system-arm -M mps2-an385" ;;
   cortex-m4 | cortex-m4f) emulator="qemu-system-arm -M mps2-an386" ;;
+  cortex-m7) emulator="qemu-system-arm -M mps2-an500" ;;
+  cortex-m33) emulator="qemu-system-arm -M mps2-an505" ;;
   rv32imac) emulator="qemu-system-riscv32 -M virt -bios none" time_shift=0 ;;
+  rv64imac) emulator="qemu-system-riscv64 -M virt -bios none" time_shift=0 ;;
   *) print_usage ;;
 esac
 shift

@@ -23,6 +23,9 @@ const std::vector<Verb>& verbs() {
       {"bake", run_bake, "write a work cell as C++ source for a target's flash"},
       {"curve", run_curve, "step and potential curves beside their tables: values, errors, pictures"},
       {"eval", run_eval, "value, gradient and clearance of a scene's field at points"},
+      {"render", run_render, "a picture of a scene's field in three dimensions"},
+      {"slice", run_slice, "contours, bands and gradients of a scene's field in a plane"},
+      {"mesh", run_mesh, "the surface of a scene's field as triangles"},
   };
   return all;
 }

@@ -1,13 +1,11 @@
 #include <cstdio>
 
 #include "command/command.hpp"
+#include "command/field_options.hpp"
 #include "command/options.hpp"
 #include "model/points.hpp"
 #include "model/scene_reader.hpp"
 #include "simulate/evaluation.hpp"
-#include "text/input_error.hpp"
-#include "text/names.hpp"
-#include "text/number.hpp"
 #include "text/read_file.hpp"
 
 namespace nearfield::host {
@@ -16,37 +14,10 @@ namespace {
 std::vector<OptionDescription> eval_options() {
   return {{"points", "FILE",
            "comma-separated values: three numbers a line, in m; may start with x,y,z (required)"},
-          {"scalar", "NAME", "number type: q27, q24, q16 or float; default: q27"},
-          {"parameters", "NUMBERS", "of the field's parameter slots, from 0 on: from 0 to 1, with commas between"},
+          scalar_option(),
+          parameters_option(),
           {"output", "FILE", "where to write; default: standard output"},
           {"help", "", "this text"}};
-}
-
-FieldScalar scalar_of(const Options& options) {
-  const std::vector<std::string_view> names = {"q27", "q24", "q16", "float"};
-  constexpr FieldScalar scalars[] = {FieldScalar::q27, FieldScalar::q24, FieldScalar::q16,
-                                     FieldScalar::single};
-  const std::string name = options.value("scalar").value_or("q27");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return scalars[i];
-  }
-  throw UsageError("--scalar: " + unknown_name("name", name, names) + ": it is one of " + joined(names));
-}
-
-std::vector<double> parameters_of(const Options& options) {
-  std::vector<double> parameters;
-  std::string text = options.value("parameters").value_or("");
-  while (!text.empty()) {
-    const std::size_t end = text.find(',');
-    const std::string one = text.substr(0, end);
-    const auto number = parse_number(one);
-    if (!number || !(*number >= 0.0 && *number <= 1.0) || end == text.size() - 1) {
-      throw UsageError("--parameters: `" + (number ? text : one) + "`: they are numbers from 0 to 1, with commas between");
-    }
-    parameters.push_back(*number);
-    text = end == std::string::npos ? "" : text.substr(end + 1);
-  }
-  return parameters;
 }
 
 void print_help() {

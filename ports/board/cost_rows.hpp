@@ -1,7 +1,7 @@
 // Tables of instruction counts on the console.
 #pragma once
 
-#include <board/semihosting.hpp>
+#include <board/console.hpp>
 #include <board/worst_instruction_count.hpp>
 
 namespace nearfield::board {

@@ -1,7 +1,7 @@
 // Digests as a board prints and compares them.
 #pragma once
 
-#include <board/semihosting.hpp>
+#include <board/console.hpp>
 
 namespace nearfield::board {
 

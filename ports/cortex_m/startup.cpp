@@ -1,8 +1,8 @@
 // From reset to main(): FPU if the image uses it, memory, write protection of the code if the core has a
 // memory protection unit; and what faults do.
-#include <board/memory_layout.hpp>
-#include <board/semihosting.hpp>
-#include <board/startup.hpp>
+#include <bare_metal/memory_layout.hpp>
+#include <bare_metal/startup.hpp>
+#include <board/console.hpp>
 
 extern "C" {
 void reset_handler();
@@ -18,10 +18,10 @@ using nearfield::board::kFaultExitStatus;
 using nearfield::board::write;
 using nearfield::board::write_hexadecimal;
 
-// Armv7-M has what Armv6-M lacks: registers that say what a fault was, and a memory protection unit on all
-// boards here. Without that a stack that grows out of RAM meets no memory, which is a fault as well.
+// Armv7-M and Armv8-M have what Armv6-M lacks: registers that say what a fault was, and a memory protection unit on
+// all boards here. Without that a stack that grows out of RAM meets no memory, which is a fault as well.
 constexpr bool kHasFaultRegisters = __ARM_ARCH >= 7;
-constexpr bool kHasMemoryProtection = __ARM_ARCH == 7;
+constexpr bool kHasMemoryProtection = __ARM_ARCH >= 7;
 
 constexpr uintptr_t kConfigurableFaultStatus = 0xE000ED28;
 constexpr uintptr_t kMemoryFaultAddress = 0xE000ED34;
@@ -29,7 +29,8 @@ constexpr uintptr_t kBusFaultAddress = 0xE000ED38;
 constexpr uintptr_t kMpuControl = 0xE000ED94;
 constexpr uintptr_t kMpuRegionNumber = 0xE000ED98;
 constexpr uintptr_t kMpuRegionBase = 0xE000ED9C;
-constexpr uintptr_t kMpuRegionAttributes = 0xE000EDA0;
+constexpr uintptr_t kMpuRegionAttributes = 0xE000EDA0;  // of Armv8-M the last address
+constexpr uintptr_t kMpuMemoryTypes = 0xE000EDC0;
 
 uint32_t read_register(uintptr_t address) { return *reinterpret_cast<const volatile uint32_t*>(address); }
 
@@ -74,17 +75,25 @@ struct VectorTable {
       "bl exit_after_main    \n");
 }
 
-// Everything below RAM becomes read-only: the code, address zero, and what a stack grows into that is too
-// large.
+// The lowest 512 MiB become read-only: the code, address zero, and what a stack grows into that is too large, unless
+// there is no memory anyway.
 void protect_code() {
   if constexpr (!kHasMemoryProtection) return;
-  constexpr uint32_t kReadOnly = 6u << 24;
-  constexpr uint32_t kSize512MiB = 28u << 1;
   constexpr uint32_t kEnable = 1;
   constexpr uint32_t kDefaultMapElsewhere = 1u << 2;
   write_register(kMpuRegionNumber, 0);
-  write_register(kMpuRegionBase, 0);
-  write_register(kMpuRegionAttributes, kReadOnly | kSize512MiB | kEnable);
+  if constexpr (__ARM_ARCH == 7) {
+    constexpr uint32_t kReadOnly = 6u << 24;
+    constexpr uint32_t kSize512MiB = 28u << 1;
+    write_register(kMpuRegionBase, 0);
+    write_register(kMpuRegionAttributes, kReadOnly | kSize512MiB | kEnable);
+  } else {
+    constexpr uint32_t kReadOnly = 2u << 1;
+    constexpr uint32_t kNormalMemory = 0x44;
+    write_register(kMpuMemoryTypes, kNormalMemory);
+    write_register(kMpuRegionBase, kReadOnly);
+    write_register(kMpuRegionAttributes, 0x1FFFFFE0 | kEnable);
+  }
   write_register(kMpuControl, kDefaultMapElsewhere | kEnable);
   asm volatile("dsb\n isb" ::: "memory");
 }

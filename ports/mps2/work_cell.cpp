@@ -4,7 +4,7 @@
 #include <work_cell.inc>
 
 #include <board/instruction_counter.hpp>
-#include <board/semihosting.hpp>
+#include <board/console.hpp>
 #include <board/stack_watermark.hpp>
 
 namespace {

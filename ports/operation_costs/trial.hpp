@@ -6,7 +6,7 @@
 
 #include <board/cost_rows.hpp>
 #include <board/instruction_counter.hpp>
-#include <board/semihosting.hpp>
+#include <board/console.hpp>
 
 namespace nearfield::costs {
 

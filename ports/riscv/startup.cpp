@@ -1,8 +1,8 @@
 // From reset to main() on a RISC-V core in machine mode: memory, write protection of the code; and what traps
 // do.
-#include <board/memory_layout.hpp>
-#include <board/semihosting.hpp>
-#include <board/startup.hpp>
+#include <bare_metal/memory_layout.hpp>
+#include <bare_metal/startup.hpp>
+#include <board/console.hpp>
 
 extern "C" {
 void reset_handler();

@@ -10,8 +10,17 @@ inline constexpr uint64_t kFixed27Digest = 0x3ab4ea56e7b069f6u;
 inline constexpr uint64_t kFixed16Digest = 0x96eca98f1a38e8dfu;
 inline constexpr uint64_t kFloatDigest = 0x74326512fb88be01u;
 
+// Of the first queries of the same stream: the smallest boards have no FPU and take a minute for all of them.
+inline constexpr uint32_t kTargetDigestQueries = 25000;
+inline constexpr uint64_t kFixed27TargetDigest = 0x2fb874794ef03211u;
+inline constexpr uint64_t kFixed16TargetDigest = 0xf2ff81b3dac23fe0u;
+inline constexpr uint64_t kFloatTargetDigest = 0x101d714f6db6c4f6u;
+
 inline constexpr uint64_t kFixed27EntryDigest = 0xd4c25003b2ffeea0u;
 inline constexpr uint64_t kFixed16EntryDigest = 0xd28b3923dce45faeu;
 inline constexpr uint64_t kFloatEntryDigest = 0x6f94173cf7403fc2u;
+
+// Of ports/kernel_digest.cpp.
+inline constexpr uint64_t kKernelDigest = 0x1cb3040d9bc1254bu;
 
 }  // namespace nearfield::golden

@@ -29,6 +29,11 @@ TEST(QueryDigest, Fixed16) {
 TEST(QueryDigest, Float) {
   EXPECT_EQ(hexadecimal(query_digest<float>(kDigestQueries)), hexadecimal(kFloatDigest));
 }
+TEST(QueryDigest, FirstQueriesAsOnTargets) {
+  EXPECT_EQ(hexadecimal(query_digest<Fixed<27>>(kTargetDigestQueries)), hexadecimal(kFixed27TargetDigest));
+  EXPECT_EQ(hexadecimal(query_digest<Fixed<16>>(kTargetDigestQueries)), hexadecimal(kFixed16TargetDigest));
+  EXPECT_EQ(hexadecimal(query_digest<float>(kTargetDigestQueries)), hexadecimal(kFloatTargetDigest));
+}
 
 // All fields of the stream are valid ones, so that the digest covers evaluations and not only refusals.
 template <class S>

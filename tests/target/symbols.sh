@@ -27,7 +27,7 @@ for name in memcpy memset main __aeabi_uldivmod __aeabi_ldivmod __udivmoddi4 __a
   ! echo "$name" | grep -Eq "$forbidden" || fail "the list of forbidden names contains $name"
 done
 
-build_image
+build_image nearfield_core
 
 check() {
   arm-none-eabi-nm "$1" | awk 'NF >= 2 && $(NF - 1) ~ /^[A-Za-z]$/ { print $NF }' | sort -u >names.txt

@@ -1,5 +1,5 @@
 # Sourced by the scripts of tests/target: builds the image of the default work cell in the folder ./image of
-# the caller, from a clean configuration of the preset cortex-m4. Sets `image` and `library`. Reads
+# the caller, from a clean configuration of the preset cortex-m4. Sets `image` and `library` (the target nearfield_core). Reads
 # NEARFIELD_SOURCE_DIR, NEARFIELD_BUILD_DIR (a host build) and CMAKE; each has a default for runs by hand.
 
 source_dir=${NEARFIELD_SOURCE_DIR:-$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)}
@@ -30,10 +30,11 @@ quietly() {
   fi
 }
 
+# build_image [TARGET...]: and other targets of that configuration.
 build_image() {
   [ -x "$host_tool" ] || fail "$host_tool is not built"
   mkdir -p "$image_build/generated"
   quietly "${CMAKE:-cmake}" -S "$source_dir" --preset cortex-m4 -B "$image_build" -DNEARFIELD_BUILD_TESTS=OFF
   quietly "$host_tool" bake --output "$image_build/generated/work_cell.inc"
-  quietly "${CMAKE:-cmake}" --build "$image_build" --target work_cell
+  quietly "${CMAKE:-cmake}" --build "$image_build" --target work_cell "$@"
 }

@@ -140,7 +140,7 @@ struct RealPlane {
   Real value(const Vec3& p) const { return dot(normal, p) - offset; }
   Vec3 gradient(const Vec3&) const { return normal / 16; }
 };
-struct RealQuadric {
+struct ExactQuadric {
   Vec3 diagonal, off_diagonal, linear;
   Real constant;
 
@@ -157,7 +157,7 @@ struct RealQuadric {
   Vec3 gradient(const Vec3& p) const { return (2 * times(p) + linear) / 16; }
 };
 inline RealPlane random_plane(Random& random) { return {random.vector(-1, 1), random.uniform(-1, 1)}; }
-inline RealQuadric random_quadric(Random& random) {
+inline ExactQuadric random_quadric(Random& random) {
   return {random.vector(-1, 1), random.vector(-1, 1), random.vector(-1, 1), random.uniform(-1, 1)};
 }
 

@@ -84,7 +84,7 @@ TYPED_TEST(AlgebraicOf, LeavesOutOfRangeAreRefused) {
   using S = TypeParam;
   const Reach<S> reach = {number<S>(1)};
   const S too_large = ScalarTraits<S>::domain() + ScalarTraits<S>::one();
-  const RealQuadric ball = {{1, 1, 1}, {}, {}, -0.25L};
+  const ExactQuadric ball = {{1, 1, 1}, {}, {}, -0.25L};
   Quadric<S> quadric = ball.as<S>();
   EXPECT_TRUE(quadric.certificate(reach).valid);
   quadric.off_diagonal.y = too_large;
@@ -103,7 +103,7 @@ TYPED_TEST(AlgebraicOf, LeavesOutOfRangeAreRefused) {
 // What may saturate says so.
 TEST(AlgebraicCertificates, SaturationIsDeclared) {
   using S = Fixed<27>;
-  const RealQuadric ball = {{1, 1, 1}, {}, {}, -0.25L};
+  const ExactQuadric ball = {{1, 1, 1}, {}, {}, -0.25L};
   const Certificate<S> far = ball.as<S>().certificate(domain_reach<S>());
   EXPECT_TRUE(far.valid);
   EXPECT_EQ(far.magnitude, S::greatest());
@@ -253,7 +253,7 @@ TYPED_TEST(AlgebraicOf, CertificatesHold) {
                lambda = random.uniform(-0.9L, 0.9L);
     const Sphere<S> ball = {vector<S>(centre), number<S>(radius)};
     const RealPlane plane = random_plane(random);
-    const RealQuadric quadric = random_quadric(random);
+    const ExactQuadric quadric = random_quadric(random);
     FunctionalSpline<S> spline = liming(number<S>(lambda));
     spline.exponent = static_cast<uint32_t>(random.integer(1, 3));
     const auto ball_value = combine(AlgebraicOfDistance<S>{number<S>(factor)}, ball);

@@ -82,7 +82,7 @@ TYPED_TEST(PatchOf, AreTheReference) {
 
 // A patch of three sides between quadrics, its bounds three planes of a prism, at a point.
 struct Prism {
-  std::vector<RealQuadric> ribbons;
+  std::vector<ExactQuadric> ribbons;
   std::vector<RealPlane> bounds;
 
   explicit Prism(Random& random) {

@@ -35,7 +35,10 @@ template <class Raw> constexpr Raw wrapping_subtract(Raw a, Raw b) {
 }
 
 // Number of zero bits above the highest one; the full width for 0.
-constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(x); }
+constexpr int leading_zeros(uint32_t x) {
+  if (x == 0) return 32;
+  return sizeof(int) == sizeof x ? __builtin_clz(static_cast<unsigned>(x)) : __builtin_clzl(x);
+}
 constexpr int leading_zeros(uint64_t x) {
   const uint32_t high = static_cast<uint32_t>(x >> 32);
   return high != 0 ? leading_zeros(high) : 32 + leading_zeros(static_cast<uint32_t>(x));

@@ -88,7 +88,7 @@ template <int F, class R> struct ScalarTraits<Fixed<F, R>> {
     // value's rounding times m, the product's own, and m's rounding times the greatest value: (16 + |offset|) / m.
     const int64_t driven = 16 * one + (offset.raw() < 0 ? -static_cast<int64_t>(offset.raw()) : offset.raw());
     const int64_t units = ((half_unit * m) >> F) + 1 + half_unit + offset_units + half_unit * (driven / m + 1);
-    return units < (1 << 30) ? static_cast<uint32_t>(units) : 1u << 30;
+    return units < (int64_t{1} << 30) ? static_cast<uint32_t>(units) : uint32_t{1} << 30;
   }
 };
 
@@ -96,7 +96,7 @@ template <> struct ScalarTraits<float> {
   using S = float;
   using Unit = float;
   static constexpr bool is_fixed = false;
-  static constexpr uint32_t tag = 0x0100u << 16 | 32u << 8 | 24u;
+  static constexpr uint32_t tag = 0x01002018;
   static constexpr float domain() { return 16.0f; }
   static constexpr float greatest() { return 1024.0f; }
   static constexpr float least() { return -1024.0f; }
@@ -132,7 +132,7 @@ template <class S> using Unit = typename ScalarTraits<S>::Unit;
 
 // floor(2^30 / rate) for rate >= 1: the factor by which a field value becomes a distance.
 constexpr Fixed<30> reciprocal_down(Rate rate) {
-  const int32_t divisor = rate.raw() < (1 << 24) ? 1 << 24 : rate.raw();
+  const int32_t divisor = rate.raw() < (int32_t{1} << 24) ? int32_t{1} << 24 : rate.raw();
   return Fixed<30>::from_raw(static_cast<int32_t>((int64_t{1} << 54) / divisor));
 }
 

@@ -56,7 +56,7 @@ constexpr RootSeed root_seed(uint64_t x) {
   const int32_t seed = tangent.value - multiply_high(from_middle, tangent.slope);
   // A Newton step y += y (1 - u y^2) / 2 in Q28, which is as good as its result can be.
   const uint32_t square = multiply_high(static_cast<uint32_t>(seed), static_cast<uint32_t>(seed));
-  const int32_t residual = (1 << 28) - static_cast<int32_t>(multiply_high(u, square));
+  const int32_t residual = (int32_t{1} << 28) - static_cast<int32_t>(multiply_high(u, square));
   return {static_cast<uint64_t>(u) << 32 | rest, seed + multiply_high(seed, residual * 8), shift};
 }
 
@@ -132,7 +132,7 @@ constexpr float square_root(float x) {
   if (((exponent - 150 - shift) & 1) != 0) --shift;
   const uint32_t root = integer_sqrt(mantissa << shift);
   const int lost = 8 - leading_zeros(root);  // a tie cannot happen: its square would need 50 bits
-  const uint32_t rounded = (root + (1u << (lost - 1))) >> lost;
+  const uint32_t rounded = (root + (uint32_t{1} << (lost - 1))) >> lost;
   const int root_exponent = (exponent - 150 - shift) / 2 + lost + 150;
   const uint32_t carry = rounded >> 24;  // rounding up to 2^24
   return bits_as<float>((static_cast<uint32_t>(root_exponent + static_cast<int>(carry)) << 23) |

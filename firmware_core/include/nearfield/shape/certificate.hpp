@@ -22,7 +22,7 @@ template <class S> struct Certificate {
 // As a lipschitz constant: none is known that fits a Rate. The error is then the greatest number as a rule.
 inline constexpr Rate kNoRateBound = Rate::greatest();
 
-inline constexpr Rate kUnitRate = Rate::from_raw(1 << Rate::fraction_bits);
+inline constexpr Rate kUnitRate = Rate::from_raw(int32_t{1} << Rate::fraction_bits);
 
 // How far from the local origin points may be when a shape is evaluated, in metres.
 template <class S> struct Reach {

@@ -102,7 +102,7 @@ constexpr auto sample_raw(const TableView<S, degree, bits>& table, typename Tabl
     const int32_t s = static_cast<int32_t>((argument << (k + 1)) ^ 0x80000000u);  // Q32, from the middle
     return segment.template at<with_slope, rising>(bits == 32 ? s : s >> 16, k - table.slope_headroom);
   } else {
-    const float place = argument * static_cast<float>(1 << k);
+    const float place = argument * static_cast<float>(int32_t{1} << k);
     const int32_t index = static_cast<int32_t>(place);
     const uint32_t* stored = table.coefficients + (degree + 1) * index;
     float c[4] = {bits_as<float>(stored[0]), bits_as<float>(stored[1])};
@@ -113,7 +113,7 @@ constexpr auto sample_raw(const TableView<S, degree, bits>& table, typename Tabl
     if constexpr (degree == 3) inner = c[2] + c[3] * s;
     if constexpr (degree > 1) outer = c[1] + inner * s;
     RawSample<float> result;
-    result.value = c[0] + (outer * s) * (1.0f / static_cast<float>(1 << k));
+    result.value = c[0] + (outer * s) * (1.0f / static_cast<float>(int32_t{1} << k));
     result.slope = outer;
     if constexpr (with_slope && degree == 2) result.slope = outer + inner * s;
     if constexpr (with_slope && degree == 3) result.slope = outer + (inner + c[3] * s) * s;
@@ -145,7 +145,7 @@ constexpr float scaled_by_slope(float component, float slope, int) { return comp
 constexpr int32_t half_of(int32_t slope) { return slope >> 1; }
 constexpr float half_of(float slope) { return 0.5f * slope; }
 constexpr int32_t one_more(int32_t slope, int headroom) {
-  return wrapping_add(slope, static_cast<int32_t>((1 << 30) >> headroom));
+  return wrapping_add(slope, (int32_t{1} << 30) >> headroom);
 }
 constexpr float one_more(float slope, int) { return 1.0f + slope; }
 
@@ -162,7 +162,7 @@ constexpr TableSample<S> sample_table(const TableView<S, degree, bits>& table,
     result.value = Unit<S>::from_raw(raw.value);
     if constexpr (with_slope) {
       const int drop = 30 - table.slope_headroom - S::fraction_bits;
-      result.slope = S::from_raw((raw.slope + ((1 << drop) >> 1)) >> drop);
+      result.slope = S::from_raw((raw.slope + ((int32_t{1} << drop) >> 1)) >> drop);
     }
     return result;
   } else {
@@ -225,7 +225,7 @@ constexpr bool coefficients_in_range(const TableView<S, degree, bits>& table, in
     const detail::IntegerSegment segment = detail::integer_segment(table, i);
     const int64_t* c = segment.c;
     const int64_t sum = detail::magnitude_of(c[1]) + detail::magnitude_of(c[2]) + detail::magnitude_of(c[3]);
-    if (sum > greatest_of<int32_t> - (1 << 23)) return false;
+    if (sum > greatest_of<int32_t> - (int32_t{1} << 23)) return false;
     const int64_t climb = 4 * detail::magnitude_of(c[1]) + 2 * detail::magnitude_of(c[2]) + detail::magnitude_of(c[3]);
     if (detail::magnitude_of(c[0]) + detail::shifted_down(climb, 3 + k - headroom) > greatest_of<int32_t> - 2 * segment.slack) return false;
   }

@@ -1,4 +1,5 @@
-#include "semihosting.hpp"
+// The console of a board: the debugger or emulator does the work. Without one attached every call faults.
+#include <board/console.hpp>
 
 #include <core.hpp>
 
@@ -9,7 +10,6 @@ namespace {
 // which RISC-V shares.
 constexpr uintptr_t kOpen = 0x01;
 constexpr uintptr_t kWrite = 0x05;
-constexpr uintptr_t kGetCommandLine = 0x15;
 constexpr uintptr_t kExitExtended = 0x20;
 constexpr uintptr_t kApplicationExit = 0x20026;
 constexpr uintptr_t kOpenForWriting = 4;
@@ -30,38 +30,6 @@ void write(const char* bytes, size_t size) {
   if (standard_output == 0) standard_output = open_standard_output();
   const uintptr_t arguments[] = {standard_output, address_of(bytes), size};
   semihosting_call(kWrite, arguments);
-}
-
-void write(const char* text) {
-  size_t size = 0;
-  while (text[size] != '\0') ++size;
-  write(text, size);
-}
-
-void write_decimal(uint64_t number) {
-  char digits[20];
-  size_t first = sizeof digits;
-  do {
-    digits[--first] = static_cast<char>('0' + number % 10);
-    number /= 10;
-  } while (number != 0);
-  write(digits + first, sizeof digits - first);
-}
-
-void write_hexadecimal(uint64_t number, int digits) {
-  char text[16];
-  for (int i = digits - 1; i >= 0; --i) {
-    text[i] = "0123456789abcdef"[number & 15];
-    number >>= 4;
-  }
-  write(text, static_cast<size_t>(digits));
-}
-
-bool read_command_line(char* buffer, size_t size) {
-  uintptr_t arguments[] = {address_of(buffer), size};
-  if (semihosting_call(kGetCommandLine, arguments) == 0) return true;
-  buffer[0] = '\0';
-  return false;
 }
 
 void exit_with_status(int status) {

@@ -1,7 +1,7 @@
 #include "startup.hpp"
 
-#include <board/memory_layout.hpp>
-#include <board/semihosting.hpp>
+#include <bare_metal/memory_layout.hpp>
+#include <board/console.hpp>
 #include <board/stack_watermark.hpp>
 
 void initialise_memory() {

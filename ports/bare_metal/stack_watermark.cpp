@@ -1,8 +1,8 @@
-#include "stack_watermark.hpp"
+#include <board/stack_watermark.hpp>
 
 #include <core.hpp>
 
-#include <board/memory_layout.hpp>
+#include <bare_metal/memory_layout.hpp>
 
 namespace nearfield::board {
 namespace {

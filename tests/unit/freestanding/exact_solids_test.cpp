@@ -1,11 +1,8 @@
 // Exact solids: parameters that none can have, places that have no direction, and solids that are others at
 // the limit.
 #include <nearfield/field/solids.hpp>
-#include <property/conversion.hpp>
 
 #include <gtest/gtest.h>
-
-#include <limits>
 
 namespace nearfield {
 namespace {
@@ -17,7 +14,10 @@ TYPED_TEST_SUITE(ExactSolids, Scalars, );
 
 template <class S>
 S metres(double length) {
-  return property::rounded<S>(static_cast<property::Real>(length));
+  if constexpr (ScalarTraits<S>::is_fixed)
+    return S(length);
+  else
+    return static_cast<float>(length);
 }
 template <class S>
 Vector3<S> point(double x, double y, double z) {
@@ -38,7 +38,7 @@ TYPED_TEST(ExactSolids, RefuseBadParameters) {
   using S = TypeParam;
   using U = Unit<S>;
   const S half = metres<S>(0.5), zero{}, beyond = ScalarTraits<S>::domain() + half;
-  const U one = ScalarTraits<S>::unit_one(), rather_less = property::rounded<U>(0.9L);
+  const U one = ScalarTraits<S>::unit_one(), rather_less = metres<U>(0.9);
   const Vector3<S> origin{}, end = point<S>(1, 0, 0), far = {beyond, zero, zero};
 
   EXPECT_TRUE(is_valid(Sphere<S>{origin, zero}));
@@ -98,7 +98,7 @@ TYPED_TEST(ExactSolids, RefuseBadParameters) {
   EXPECT_FALSE(is_valid(rounded_box(origin, {half, half, half}, -half)));
 
   if constexpr (!ScalarTraits<S>::is_fixed) {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float nan = __builtin_nanf("");
     EXPECT_FALSE(is_valid(Sphere<S>{origin, nan}));
     EXPECT_FALSE(is_valid(TaperedCapsule<S>(origin, end, nan, half)));
     EXPECT_FALSE(is_valid(TaperedCapsule<S>(origin, end, half, nan)));
@@ -155,7 +155,7 @@ TYPED_TEST(ExactSolids, DirectionsOnSkeletonsAndAxes) {
   EXPECT_EQ(direction(half_line, up), none);
   EXPECT_EQ(direction(half_line, origin), none);
   EXPECT_EQ(direction(half_line, down), down);
-  const InfiniteCone<S> cone = {origin, property::rounded<U>(0.6L), property::rounded<U>(0.8L)};
+  const InfiniteCone<S> cone = {origin, metres<U>(0.6), metres<U>(0.8)};
   EXPECT_EQ(direction(cone, up), down) << "towards the apex it becomes shallower";
   const InfiniteCone<S> all_above = {origin, ScalarTraits<S>::unit_one(), {}};
   EXPECT_EQ(direction(all_above, point<S>(1, 1, -1)), down);

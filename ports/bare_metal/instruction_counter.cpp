@@ -1,4 +1,4 @@
-#include "instruction_counter.hpp"
+#include <board/instruction_counter.hpp>
 
 #include <core.hpp>
 

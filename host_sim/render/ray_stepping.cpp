@@ -1,0 +1,111 @@
+#include "render/ray_stepping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nearfield::host {
+namespace {
+
+constexpr int greatest_step_count = 1200;
+constexpr double least_advance = 1e-9;  // m
+constexpr double least_from_origin = 1e-6;  // m, of light
+constexpr int halvings = 36;
+
+double resolution_at(double t, const SteppingSettings& settings) {
+  return std::max(settings.least_resolution, settings.resolution * t);
+}
+
+// The end of [outside, inside] that is outside, once that is halved.
+double halved(const SceneField& field, const Ray& ray, double outside, double inside) {
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (outside + inside);
+    (field.inside(ray.at(middle)) ? inside : outside) = middle;
+  }
+  return outside;
+}
+
+RayHit by_fixed_steps(const SceneField& field, const Ray& ray, double from, double to, double step) {
+  for (double before = from; before < to;) {
+    const double t = std::min(before + step, to);
+    if (field.inside(ray.at(t))) return {true, halved(field, ray, before, t), Stepping::bisection};
+    before = t;
+  }
+  return {false, to, Stepping::bisection};
+}
+
+}  // namespace
+
+Stretch stretch_within(const Ray& ray, const Box3& box) {
+  Stretch stretch{0.0, 1e9};
+  for (double Vector3d::* x : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
+    const double origin = ray.origin.*x, slope = ray.direction.*x;
+    if (std::abs(slope) < 1e-12) {
+      if (origin < box.low.*x || origin > box.high.*x) return {};
+      continue;
+    }
+    const double a = (box.low.*x - origin) / slope, b = (box.high.*x - origin) / slope;
+    stretch.from = std::max(stretch.from, std::min(a, b));
+    stretch.to = std::min(stretch.to, std::max(a, b));
+  }
+  return stretch;
+}
+
+double first_order_distance(const FieldAnswer& answer, double greatest) {
+  const double slope = length(answer.gradient);
+  if (answer.outward <= 0.0) return 0.0;
+  return answer.outward < greatest * slope ? answer.outward / slope : greatest;
+}
+
+Stepping stepping_for(const SceneField& field, double tolerance) {
+  if (!field.certified()) return Stepping::bisection;
+  const FieldProof& proof = field.proof();
+  // An intensity without a rate: its error moves the surface by as much as its slope there says, which is not known; it
+  // has to be far below the level.
+  if (!proof.rate) return proof.error <= 1e-3 ? Stepping::certified : Stepping::bisection;
+  return proof.error <= tolerance * *proof.rate ? Stepping::certified : Stepping::bisection;
+}
+
+RayHit first_hit(const SceneField& field, const Ray& ray, const Stretch& stretch, const SteppingSettings& settings) {
+  if (!(stretch.from < stretch.to)) return {};
+  if (field.inside(ray.at(stretch.from))) return {true, stretch.from, settings.stepping};
+  if (settings.stepping == Stepping::bisection) {
+    return by_fixed_steps(field, ray, stretch.from, stretch.to, settings.fixed_step);
+  }
+  double t = stretch.from, guess = 0.25 * (stretch.to - stretch.from);
+  for (int step = 0; step < greatest_step_count; ++step) {
+    const Vector3d p = ray.at(t);
+    const double radius = field.free_radius(p, guess), resolution = resolution_at(t, settings);
+    if (radius < resolution && first_order_distance(field.at(p), 2.0 * resolution) < 2.0 * resolution) {
+      return {true, t, Stepping::certified};
+    }
+    if (radius < least_advance) break;
+    t += radius;
+    if (t >= stretch.to) return {false, stretch.to, Stepping::certified};
+    guess = 1.5 * radius;
+  }
+  return by_fixed_steps(field, ray, t, stretch.to, settings.fixed_step);
+}
+
+double light_along(const SceneField& field, const Ray& ray, const Stretch& stretch, double half_angle,
+                   const SteppingSettings& settings) {
+  const double width = std::tan(half_angle);
+  double light = 1.0, t = std::max(stretch.from, least_from_origin), guess = 0.25 * (stretch.to - stretch.from);
+  for (int step = 0; step < greatest_step_count && t < stretch.to; ++step) {
+    const Vector3d p = ray.at(t);
+    const FieldAnswer answer = field.at(p);
+    if (answer.outward < 0.0) return 0.0;
+    light = std::min(light, first_order_distance(answer, width * t) / (width * t));
+    if (light < 0.01) return 0.0;
+    double advance = settings.fixed_step;
+    if (settings.stepping == Stepping::certified) {
+      const double radius = field.kind() == Kind::intensity ? field.free_radius(p, guess) : field.free_radius_where(answer.outward);
+      guess = 1.5 * radius;
+      // Near the surface the light is dim already; smaller steps would not show.
+      advance = std::max(radius, 0.25 * resolution_at(1.0, settings) + 0.002 * t);
+    }
+    t += advance;
+  }
+  return light;
+}
+
+}  // namespace nearfield::host

@@ -1,0 +1,55 @@
+// The first place where a ray meets a field's surface.
+#pragma once
+
+#include <cstdint>
+
+#include "render/scene_field.hpp"
+#include "render/surface_box.hpp"
+
+namespace nearfield::host {
+
+struct Ray {
+  Vector3d origin;     // m
+  Vector3d direction;  // a unit vector
+  Vector3d at(double t) const { return origin + t * direction; }
+};
+
+// From `from` to `to` along a ray, m; empty where from >= to.
+struct Stretch {
+  double from = 0.0, to = 0.0;
+};
+Stretch stretch_within(const Ray& ray, const Box3& box);
+
+enum class Stepping : std::uint8_t { certified, bisection };
+
+struct RayHit {
+  bool hit = false;
+  double t = 0.0;                             // m along the ray
+  Stepping stepping = Stepping::certified;    // how this ray was followed to its end
+};
+
+struct SteppingSettings {
+  Stepping stepping = Stepping::certified;
+  double resolution = 1e-5;  // m for each m from the camera: nearer than this to the surface counts as on it
+  double least_resolution = 1e-6;  // m
+  double fixed_step = 1e-3;  // m, of bisection
+};
+
+// Certified where the field has a proof whose error, as a distance, is at most `tolerance` m.
+Stepping stepping_for(const SceneField& field, double tolerance);
+
+// Certified: advances by free_radius() until that is below the resolution, and so is the first-order distance to the
+// surface: nothing is jumped over however thin. A ray that is not at its end after 1200 steps, or comes to where nothing
+// is proved, goes on by bisection. Bisection: steps of fixed_step, halved where the sign changes: what is thinner may be missed.
+// The hit is on the side from which the ray comes; where the stretch begins inside, at its beginning.
+RayHit first_hit(const SceneField& field, const Ray& ray, const Stretch& stretch, const SteppingSettings& settings);
+
+// What of a light of the given half angle (rad) reaches the ray's origin, 0 to 1: the least first-order distance to the
+// surface over the distance from the origin, 0 where the ray meets the surface.
+double light_along(const SceneField& field, const Ray& ray, const Stretch& stretch, double half_angle,
+                   const SteppingSettings& settings);
+
+// The distance to the surface that a tangent of the field shows, 0 inside; `greatest` where that is farther, or no slope.
+double first_order_distance(const FieldAnswer& answer, double greatest);
+
+}  // namespace nearfield::host
