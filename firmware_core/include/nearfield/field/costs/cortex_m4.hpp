@@ -4,97 +4,97 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m4(operation, item, part) \
-  operation(sphere, 117, 196, 117)                          \
-  operation(capsule, 164, 243, 165)                         \
-  operation(box, 147, 255, 148)                             \
-  operation(cylinder, 212, 364, 213)                        \
-  operation(soft_point, 144, 303, 217)                      \
-  operation(soft_segment, 190, 360, 277)                    \
-  operation(sharp_union, 25, 31, 24)                        \
-  operation(sharp_intersection, 25, 31, 24)                 \
-  operation(sharp_subtraction, 26, 42, 25)                  \
-  operation(soft_sum, 23, 36, 22)                           \
-  operation(additive_union, 90, 131, 88)                    \
-  operation(additive_intersection, 91, 131, 89)             \
-  operation(additive_subtraction, 89, 142, 88)              \
-  operation(two_sided_union, 95, 136, 94)                   \
-  operation(two_sided_intersection, 95, 136, 95)            \
-  operation(two_sided_subtraction, 97, 149, 95)             \
-  operation(intensity_union, 25, 31, 27)                    \
-  operation(intensity_intersection, 25, 31, 27)             \
-  operation(ray_union, 25, 31, 24)                          \
-  operation(ray_intersection, 25, 31, 24)                   \
-  operation(potential_of_distance, 93, 209, 119)            \
-  operation(potential_of_ray, 93, 208, 132)                 \
-  operation(variable_influence, 150, 429, 149)              \
-  operation(log_sum_exp_union, 157, 192, 158)               \
-  item(log_sum_exp_union, 54, 133, 53)                      \
-  operation(log_sum_exp_intersection, 157, 192, 158)        \
-  item(log_sum_exp_intersection, 54, 133, 53)               \
-  operation(log_sum_exp_subtraction, 147, 178, 148)         \
-  item(log_sum_exp_subtraction, 58, 146, 57)                \
-  operation(ray_point, 138, 244, 138)                       \
-  operation(ray_segment, 210, 312, 210)                     \
-  operation(ray_linear_union, 147, 255, 146)                \
-  operation(ray_linear_intersection, 147, 246, 146)         \
-  operation(ray_linear_difference, 251, 407, 244)           \
-  operation(ray_plane, 108, 150, 109)                       \
-  operation(algebraic_plane, 65, 100, 66)                   \
-  operation(quadric, 186, 269, 189)                         \
-  operation(algebraic_of_distance, 28, 70, 28)              \
-  operation(algebraic_of_ray, 44, 107, 43)                  \
-  operation(hoffmann_hopcroft_union, 156, 495, 155)         \
-  operation(hoffmann_hopcroft_intersection, 174, 517, 173)  \
-  operation(hoffmann_hopcroft_difference, 166, 518, 165)    \
-  operation(functional_spline, 132, 348, 133)               \
+  operation(sphere, 119, 194, 113)                          \
+  operation(capsule, 166, 241, 161)                         \
+  operation(box, 149, 253, 145)                             \
+  operation(cylinder, 216, 362, 212)                        \
+  operation(soft_point, 143, 301, 215)                      \
+  operation(soft_segment, 201, 357, 274)                    \
+  operation(sharp_union, 24, 29, 25)                        \
+  operation(sharp_intersection, 24, 29, 25)                 \
+  operation(sharp_subtraction, 25, 41, 26)                  \
+  operation(soft_sum, 22, 36, 24)                           \
+  operation(additive_union, 88, 132, 88)                    \
+  operation(additive_intersection, 88, 132, 89)             \
+  operation(additive_subtraction, 89, 144, 90)              \
+  operation(two_sided_union, 95, 141, 95)                   \
+  operation(two_sided_intersection, 95, 141, 95)            \
+  operation(two_sided_subtraction, 96, 156, 97)             \
+  operation(intensity_union, 24, 29, 28)                    \
+  operation(intensity_intersection, 24, 29, 28)             \
+  operation(ray_union, 24, 29, 23)                          \
+  operation(ray_intersection, 24, 29, 23)                   \
+  operation(potential_of_distance, 92, 207, 122)            \
+  operation(potential_of_ray, 92, 207, 131)                 \
+  operation(variable_influence, 149, 427, 147)              \
+  operation(log_sum_exp_union, 174, 191, 175)               \
+  item(log_sum_exp_union, 56, 133, 56)                      \
+  operation(log_sum_exp_intersection, 174, 191, 175)        \
+  item(log_sum_exp_intersection, 56, 133, 56)               \
+  operation(log_sum_exp_subtraction, 166, 177, 167)         \
+  item(log_sum_exp_subtraction, 59, 146, 59)                \
+  operation(ray_point, 136, 242, 132)                       \
+  operation(ray_segment, 209, 310, 204)                     \
+  operation(ray_linear_union, 145, 255, 143)                \
+  operation(ray_linear_intersection, 145, 247, 143)         \
+  operation(ray_linear_difference, 247, 394, 241)           \
+  operation(ray_plane, 108, 148, 102)                       \
+  operation(algebraic_plane, 65, 98, 61)                    \
+  operation(quadric, 186, 267, 182)                         \
+  operation(algebraic_of_distance, 28, 68, 30)              \
+  operation(algebraic_of_ray, 44, 106, 44)                  \
+  operation(hoffmann_hopcroft_union, 155, 493, 152)         \
+  operation(hoffmann_hopcroft_intersection, 173, 516, 170)  \
+  operation(hoffmann_hopcroft_difference, 165, 517, 163)    \
+  operation(functional_spline, 132, 378, 133)               \
   item(functional_spline, 21, 94, 20)                       \
-  operation(ribbon_patch, 551, 723, 552)                    \
-  item(ribbon_patch, 134, 377, 133)                         \
-  operation(corner_patch, 789, 251, 790)                    \
+  operation(ribbon_patch, 551, 753, 552)                    \
+  item(ribbon_patch, 134, 383, 133)                         \
+  operation(corner_patch, 789, 250, 790)                    \
   item(corner_patch, 208, 627, 207)                         \
-  operation(algebraic_union, 25, 31, 24)                    \
-  operation(algebraic_intersection, 25, 31, 24)             \
-  operation(tapered_capsule, 234, 438, 235)                 \
-  operation(cone_frustum, 254, 396, 255)                    \
-  operation(torus, 190, 355, 192)                           \
-  operation(disc, 197, 350, 198)                            \
-  operation(half_space, 56, 79, 57)                         \
-  operation(infinite_cylinder, 113, 193, 114)               \
-  operation(infinite_cone, 161, 247, 162)                   \
-  operation(offset, 16, 25, 16)                             \
-  operation(polygon, 346, 430, 347)                         \
-  item(polygon, 58, 58, 58)                                 \
-  operation(polyline, 353, 433, 354)                        \
-  item(polyline, 60, 71, 60)                                \
-  operation(cubic_curve, 1416, 1495, 1417)                  \
-  item(cubic_curve, 765, 763, 765)                          \
-  operation(bicubic_patch, 5100, 5200, 5100)                \
-  operation(ray_slab, 113, 167, 114)                        \
-  operation(ray_of_distance, 55, 119, 55)                   \
-  operation(ray_sweep, 515, 769, 516)                       \
-  item(ray_sweep, 25, 39, 25)                               \
-  operation(algebraic_torus, 175, 441, 176)                 \
-  operation(noise_intensity, 105, 313, 60)                  \
+  operation(algebraic_union, 24, 29, 23)                    \
+  operation(algebraic_intersection, 24, 29, 23)             \
+  operation(tapered_capsule, 234, 436, 230)                 \
+  operation(cone_frustum, 254, 394, 249)                    \
+  operation(torus, 192, 346, 187)                           \
+  operation(disc, 198, 348, 193)                            \
+  operation(half_space, 56, 77, 50)                         \
+  operation(infinite_cylinder, 111, 191, 111)               \
+  operation(infinite_cone, 162, 245, 159)                   \
+  operation(offset, 16, 23, 17)                             \
+  operation(polygon, 138, 215, 139)                         \
+  item(polygon, 59, 59, 59)                                 \
+  operation(polyline, 116, 198, 117)                        \
+  item(polyline, 62, 61, 62)                                \
+  operation(cubic_curve, 1105, 1187, 1107)                  \
+  item(cubic_curve, 787, 796, 787)                          \
+  operation(bicubic_patch, 5007, 5079, 5008)                \
+  operation(ray_slab, 113, 166, 108)                        \
+  operation(ray_of_distance, 54, 117, 56)                   \
+  operation(ray_sweep, 543, 824, 538)                       \
+  item(ray_sweep, 25, 36, 25)                               \
+  operation(algebraic_torus, 175, 439, 168)                 \
+  operation(noise_intensity, 109, 311, 61)                  \
   item(noise_intensity, 157, 230, 4)                        \
-  operation(noise_distance, 91, 175, 92)                    \
+  operation(noise_distance, 95, 173, 91)                    \
   item(noise_distance, 157, 230, 157)                       \
-  operation(morph, 32, 68, 31)                              \
-  operation(intensity_morph, 32, 68, 31)                    \
-  operation(ray_morph, 32, 68, 31)                          \
-  operation(swell, 27, 37, 27)                              \
-  operation(fade, 23, 44, 23)                               \
-  operation(scale_along, 128, 258, 128)                     \
-  operation(scale_about, 286, 692, 286)                     \
-  operation(scale_from_axis, 150, 364, 151)                 \
-  operation(enter_pose, 142, 233, 208)                      \
-  operation(enter_slot, 109, 163, 145)                      \
-  operation(enter_box, 181, 248, 209)                       \
-  part(query, 28, 225, 92)                                  \
+  operation(morph, 31, 67, 32)                              \
+  operation(intensity_morph, 31, 67, 32)                    \
+  operation(ray_morph, 31, 67, 30)                          \
+  operation(swell, 27, 34, 28)                              \
+  operation(fade, 23, 43, 24)                               \
+  operation(scale_along, 128, 260, 127)                     \
+  operation(scale_about, 286, 691, 284)                     \
+  operation(scale_from_axis, 149, 373, 150)                 \
+  operation(enter_pose, 146, 231, 213)                      \
+  operation(enter_slot, 114, 161, 152)                      \
+  operation(enter_box, 186, 246, 216)                       \
+  part(query, 28, 224, 90)                                  \
   part(pose_check, 0, 356, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
   part(c_interface, 0, 512, 0)                              \
   part(c_pose, 0, 25, 0)                                    \
-  part(soft_clearance, 0, 369, 0)                           \
+  part(soft_clearance, 0, 370, 0)                           \
   part(link_poses, 41, 0, 0)                                \
   part(revolute_joint, 789, 0, 0)                           \
   part(other_joint, 440, 0, 0)                              \
@@ -102,5 +102,5 @@
   part(swept_capsule, 292, 0, 0)                            \
   part(refinement, 386, 0, 0)                               \
   part(stretch, 4, 0, 0)                                    \
-  part(capsule_pair, 407, 0, 0)                             \
+  part(capsule_pair, 428, 0, 0)                             \
   part(tick, 2815, 0, 0)
