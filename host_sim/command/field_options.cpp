@@ -43,7 +43,8 @@ FieldScalar scalar_of(const Options& options) {
 }
 
 OptionDescription parameters_option() {
-  return {"parameters", "NUMBERS", "of the field's parameter slots, from 0 on: from 0 to 1, with commas between"};
+  return {"parameters", "NUMBERS",
+          "of the field's parameter slots, from 0 on: from 0 to 1, with commas between"};
 }
 
 std::vector<double> parameters_of(const Options& options) {
@@ -54,7 +55,8 @@ std::vector<double> parameters_of(const Options& options) {
     const std::string one = text.substr(0, end);
     const auto number = parse_number(one);
     if (!number || !(*number >= 0.0 && *number <= 1.0) || end == text.size() - 1) {
-      throw UsageError("--parameters: `" + (number ? text : one) + "`: they are numbers from 0 to 1, with commas between");
+      throw UsageError("--parameters: `" + (number ? text : one) +
+                       "`: they are numbers from 0 to 1, with commas between");
     }
     parameters.push_back(*number);
     text = end == std::string::npos ? "" : text.substr(end + 1);
@@ -72,14 +74,16 @@ SceneDescription scene_of(const Options& options, const std::string& usage) {
 }
 
 std::unique_ptr<SceneField> field_of(const Options& options, const SceneDescription& scene) {
-  return scene_field(scene, scalar_of(options), parameters_of(options), number_of(options, "level", {-1000.0, 1000.0}));
+  return scene_field(scene, scalar_of(options), parameters_of(options),
+                     number_of(options, "level", {-1000.0, 1000.0}));
 }
 
 std::optional<double> number_of(const Options& options, const std::string& name, const NumberRange& range) {
   const auto text = options.value(name);
   if (!text) return std::nullopt;
   const auto number = parse_number(*text);
-  if (!number || !contains(range, *number)) throw UsageError("--" + name + " " + *text + ": a number " + describe(range));
+  if (!number || !contains(range, *number))
+    throw UsageError("--" + name + " " + *text + ": a number " + describe(range));
   return number;
 }
 
@@ -87,7 +91,8 @@ std::optional<Vector3d> vector_of(const Options& options, const std::string& nam
   const auto text = options.value(name);
   if (!text) return std::nullopt;
   const auto numbers = numbers_in(*text, ',', 3);
-  if (!numbers || std::abs((*numbers)[0]) > 1e6 || std::abs((*numbers)[1]) > 1e6 || std::abs((*numbers)[2]) > 1e6) {
+  if (!numbers || std::abs((*numbers)[0]) > 1e6 || std::abs((*numbers)[1]) > 1e6 ||
+      std::abs((*numbers)[2]) > 1e6) {
     throw UsageError("--" + name + " " + *text + ": three numbers with commas between, such as 0.5,-1,0");
   }
   return Vector3d{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
@@ -109,15 +114,15 @@ std::optional<Box3> box_of(const Options& options, const SceneField& field) {
                    format_number(field.domain()) + " to " + format_number(field.domain()) + " m");
 }
 
-std::size_t whole_number_of(const Options& options, const std::string& name, std::size_t least, std::size_t greatest,
-                            std::size_t initial) {
+std::size_t whole_number_of(const Options& options, const std::string& name, std::size_t least,
+                            std::size_t greatest, std::size_t initial) {
   const auto text = options.value(name);
   if (!text) return initial;
   const auto number = parse_number(*text);
   if (!number || *number != std::floor(*number) || !(*number >= static_cast<double>(least)) ||
       !(*number <= static_cast<double>(greatest))) {
-    throw UsageError("--" + name + " " + *text + " is not a whole number from " + std::to_string(least) + " to " +
-                     std::to_string(greatest));
+    throw UsageError("--" + name + " " + *text + " is not a whole number from " + std::to_string(least) +
+                     " to " + std::to_string(greatest));
   }
   return static_cast<std::size_t>(*number);
 }
@@ -139,10 +144,13 @@ OptionDescription threads_option() {
   return {"threads", "N", "1 to 256; the output is the same; default: as many as the machine has"};
 }
 
-unsigned threads_of(const Options& options) { return static_cast<unsigned>(whole_number_of(options, "threads", 1, 256, 0)); }
+unsigned threads_of(const Options& options) {
+  return static_cast<unsigned>(whole_number_of(options, "threads", 1, 256, 0));
+}
 
 bool ends_with(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+  return text.size() >= ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 std::string output_of(const Options& options, const std::vector<std::string>& endings) {

@@ -21,8 +21,8 @@ std::vector<double> parameters_of(const Options& options);
 
 // `--level NUMBER`.
 OptionDescription level_option();
-// The field of the scene that is the operand, in --scalar, with --parameters and --level. UsageError without an operand,
-// naming `usage`.
+// The field of the scene that is the operand, in --scalar, with --parameters and --level. UsageError without
+// an operand, naming `usage`.
 std::unique_ptr<SceneField> field_of(const Options& options, const SceneDescription& scene);
 SceneDescription scene_of(const Options& options, const std::string& usage);
 
@@ -32,8 +32,8 @@ std::optional<Vector3d> vector_of(const Options& options, const std::string& nam
 // `--box x0,y0,z0,x1,y1,z1`, within the field's domain.
 OptionDescription box_option(const std::string& help);
 std::optional<Box3> box_of(const Options& options, const SceneField& field);
-std::size_t whole_number_of(const Options& options, const std::string& name, std::size_t least, std::size_t greatest,
-                            std::size_t initial);
+std::size_t whole_number_of(const Options& options, const std::string& name, std::size_t least,
+                            std::size_t greatest, std::size_t initial);
 struct PictureSize {
   std::size_t width = 640, height = 480;  // pixels
 };

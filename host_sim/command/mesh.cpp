@@ -29,13 +29,16 @@ std::vector<OptionDescription> mesh_options() {
 void print_help() {
   std::printf(
       "usage: %s [OPTION...]\n\n"
-      "The surface of a scene's field, of any kind, as a closed mesh of triangles: every edge belongs to two. Vertices lie\n"
-      "where the field changes its sign, normals are its gradient. What is smaller than a cell may be missed. A surface\n"
+      "The surface of a scene's field, of any kind, as a closed mesh of triangles: every edge belongs to "
+      "two. Vertices lie\n"
+      "where the field changes its sign, normals are its gradient. What is smaller than a cell may be "
+      "missed. A surface\n"
       "that leaves the box is refused without --close.\n\n%s",
       usage, describe(mesh_options()).c_str());
 }
 
-[[noreturn]] void refuse(const SceneDescription& scene, const std::string& message, const std::string& allowed) {
+[[noreturn]] void refuse(const SceneDescription& scene, const std::string& message,
+                         const std::string& allowed) {
   throw InputError(scene.file, scene.field.position, scene.field.path, message, allowed);
 }
 
@@ -75,11 +78,13 @@ int run_mesh(const std::vector<std::string>& arguments) {
            given ? "a larger --box, or --close" : "--close, or a --box");
   }
   const SurfaceMesh& mesh = meshing.mesh;
-  if (mesh.triangles.empty()) refuse(scene, "no surface is found", "another --box, --level or a greater --resolution");
+  if (mesh.triangles.empty())
+    refuse(scene, "no surface is found", "another --box, --level or a greater --resolution");
   const std::string comment = scene.name + ", in m";
   write_file(output, ends_with(output, ".ply") ? ply_of(mesh, comment) : obj_of(mesh, comment));
-  std::printf("%s: %s of \"%s\", %zu vertices, %zu triangles; %.0f %% of the cells proved empty\n", output.c_str(),
-              name_of(field->kind()), scene.name.c_str(), mesh.vertices.size(), mesh.triangles.size(),
+  std::printf("%s: %s of \"%s\", %zu vertices, %zu triangles; %.0f %% of the cells proved empty\n",
+              output.c_str(), name_of(field->kind()), scene.name.c_str(), mesh.vertices.size(),
+              mesh.triangles.size(),
               100.0 * static_cast<double>(meshing.passed_over) / static_cast<double>(meshing.cells));
   return 0;
 }

@@ -22,10 +22,12 @@ std::vector<OptionDescription> render_options() {
           size_option(),
           {"ground", "Z", "height of the ground plane, m, or none; default: below the surface"},
           {"colour", "#RRGGBB", "of the surface, sRGB; default: #95AECA"},
-          {"bands", "SPACING", "layers of the field, one each SPACING of f, on the ground and on what --box cuts"},
+          {"bands", "SPACING",
+           "layers of the field, one each SPACING of f, on the ground and on what --box cuts"},
           box_option("x0,y0,z0,x1,y1,z1, m: cut off what is outside; default: nothing is"),
           level_option(),
-          {"steps", "N", "of rays across the surface's box where nothing is certified, 16 to 65536; default: 512"},
+          {"steps", "N",
+           "of rays across the surface's box where nothing is certified, 16 to 65536; default: 512"},
           scalar_option(),
           parameters_option(),
           threads_option(),
@@ -35,20 +37,24 @@ std::vector<OptionDescription> render_options() {
 void print_help() {
   std::printf(
       "usage: %s [OPTION...]\n\n"
-      "A picture of the surface of a scene's field, of any kind, by the evaluator of the target. Rays advance by what is\n"
-      "certified to be free, and cannot jump over anything; where the field's certificate tells nothing, by fixed steps and\n"
-      "bisection, which may. The line that is printed says which. Robots are at rest, as for `nearfield eval`.\n\n%s",
+      "A picture of the surface of a scene's field, of any kind, by the evaluator of the target. Rays "
+      "advance by what is\n"
+      "certified to be free, and cannot jump over anything; where the field's certificate tells nothing, by "
+      "fixed steps and\n"
+      "bisection, which may. The line that is printed says which. Robots are at rest, as for `nearfield "
+      "eval`.\n\n%s",
       usage, describe(render_options()).c_str());
 }
 
-void place_camera(const Options& options, const SceneDescription& scene, const SceneField& field, RenderSettings& settings) {
+void place_camera(const Options& options, const SceneDescription& scene, const SceneField& field,
+                  RenderSettings& settings) {
   settings.drawn = box_of(options, field).value_or(domain_box(field));
   const auto surface = surface_box(field, settings.drawn);
   if (!surface) {
     throw InputError(scene.file, scene.field.position, scene.field.path,
                      std::string("no surface is found") + (options.has("box") ? " within --box" : ""),
-                     "the field is " + format_number(field.level()) + " nowhere from -" + format_number(field.domain()) +
-                         " to " + format_number(field.domain()) + " m");
+                     "the field is " + format_number(field.level()) + " nowhere from -" +
+                         format_number(field.domain()) + " to " + format_number(field.domain()) + " m");
   }
   settings.surface = *surface;
   const double field_of_view = number_of(options, "field-of-view", {1.0, 150.0, "degrees"}).value_or(35.0);
@@ -60,8 +66,10 @@ void place_camera(const Options& options, const SceneDescription& scene, const S
   }
   if (const auto from = vector_of(options, "camera")) settings.camera.from = *from;
   const Vector3d& from = settings.camera.from;
-  if (!(length(settings.camera.at - from) > 1e-6)) throw UsageError("--camera and --look-at are the same point");
-  if (settings.drawn.contains(from) && field.inside(from)) throw UsageError("--camera lies inside the surface");
+  if (!(length(settings.camera.at - from) > 1e-6))
+    throw UsageError("--camera and --look-at are the same point");
+  if (settings.drawn.contains(from) && field.inside(from))
+    throw UsageError("--camera lies inside the surface");
 }
 
 void place_ground(const Options& options, const SceneField& field, RenderSettings& settings) {
@@ -77,9 +85,12 @@ void place_ground(const Options& options, const SceneField& field, RenderSetting
 
 std::string stepping_in_words(const Rendering& rendering) {
   if (rendering.stepping == Stepping::bisection) return "stepping: bisection";
-  if (rendering.bisected_rays == 0) return "stepping: certified";
-  return "stepping: certified, but " + std::to_string(rendering.bisected_rays) + " of " + std::to_string(rendering.rays) +
-         " rays ended by bisection";
+  const std::string certified =
+      "stepping: certified" +
+      (rendering.undecided > 0.0 ? " to " + draw::short_text(1000.0 * rendering.undecided, 2) + " mm" : "");
+  if (rendering.bisected_rays == 0) return certified;
+  return certified + ", but " + std::to_string(rendering.bisected_rays) + " of " +
+         std::to_string(rendering.rays) + " rays ended by bisection";
 }
 
 }  // namespace
@@ -97,9 +108,11 @@ int run_render(const std::vector<std::string>& arguments) {
   settings.height = size_of(options).height;
   const std::string colour_text = options.value("colour").value_or("#95AECA");
   const auto colour = colour_of(colour_text);
-  if (!colour) throw UsageError("--colour " + colour_text + ": a hash and six hexadecimal digits, such as #95AECA");
+  if (!colour)
+    throw UsageError("--colour " + colour_text + ": a hash and six hexadecimal digits, such as #95AECA");
   settings.colour = *colour;
-  if (const auto spacing = number_of(options, "bands", {0.0, 1000.0, "", true})) settings.bands = even_bands(*spacing);
+  if (const auto spacing = number_of(options, "bands", {0.0, 1000.0, "", true}))
+    settings.bands = even_bands(*spacing);
   settings.steps = whole_number_of(options, "steps", 16, 65536, 512);
   settings.threads = threads_of(options);
   const auto field = field_of(options, scene);
@@ -112,11 +125,12 @@ int run_render(const std::vector<std::string>& arguments) {
     rendering = render(*field, settings, [&progress](double done) { progress.report(done); });
   }
   write_file(output, draw::png_of(rendering.image));
-  std::printf("%s: %s of \"%s\", %zu x %zu; %s", output.c_str(), name_of(field->kind()), scene.name.c_str(), settings.width,
-              settings.height, stepping_in_words(rendering).c_str());
+  std::printf("%s: %s of \"%s\", %zu x %zu; %s", output.c_str(), name_of(field->kind()), scene.name.c_str(),
+              settings.width, settings.height, stepping_in_words(rendering).c_str());
   if (settings.ground) {
     std::printf("; ground at z = %s m", draw::short_text(*settings.ground, 4).c_str());
-    if (settings.bands.empty()) std::printf(", lines every %s m", draw::short_text(rendering.ground_spacing, 4).c_str());
+    if (settings.bands.empty())
+      std::printf(", lines every %s m", draw::short_text(rendering.ground_spacing, 4).c_str());
   }
   std::printf("\n");
   return 0;

@@ -14,29 +14,33 @@ namespace {
 const char* const usage = "nearfield slice SCENE --output FILE.svg|FILE.png";
 
 std::vector<OptionDescription> slice_options() {
-  return {{"output", "FILE", "where to write, .svg or .png (required)"},
-          {"plane", "AXIS=M", "x, y or z at so many m; default: z in the middle of the surface"},
-          {"normal", "x,y,z", "instead: of a plane through --origin, seen from where it points to"},
-          {"origin", "x,y,z", "m; what is in the middle of the picture; default: the middle of the surface"},
-          {"width-metres", "W", "of what is shown; default: one and a half times the surface"},
-          size_option(),
-          {"levels", "N", "contours outside of the surface, 1 to 100; default: about 10"},
-          {"spacing", "S", "instead: from one contour to the next, m of distances, else in units of the value"},
-          {"bands", "", "colour by layers of even thickness: sum a (cos(w f) + 1)"},
-          {"wave", "a,w", "one of the sum's terms, w in rad for each unit of f; default: two by the spacing", true},
-          {"arrows", "", "the field's gradients, away from the inside"},
-          level_option(),
-          scalar_option(),
-          parameters_option(),
-          threads_option(),
-          {"help", "", "this text"}};
+  return {
+      {"output", "FILE", "where to write, .svg or .png (required)"},
+      {"plane", "AXIS=M", "x, y or z at so many m; default: z in the middle of the surface"},
+      {"normal", "x,y,z", "instead: of a plane through --origin, seen from where it points to"},
+      {"origin", "x,y,z", "m; what is in the middle of the picture; default: the middle of the surface"},
+      {"width-metres", "W", "of what is shown; default: one and a half times the surface"},
+      size_option(),
+      {"levels", "N", "contours outside of the surface, 1 to 100; default: about 10"},
+      {"spacing", "S", "instead: from one contour to the next, m of distances, else in units of the value"},
+      {"bands", "", "colour by layers of even thickness: sum a (cos(w f) + 1)"},
+      {"wave", "a,w", "one of the sum's terms, w in rad for each unit of f; default: two by the spacing",
+       true},
+      {"arrows", "", "the field's gradients, away from the inside"},
+      level_option(),
+      scalar_option(),
+      parameters_option(),
+      threads_option(),
+      {"help", "", "this text"}};
 }
 
 void print_help() {
   std::printf(
       "usage: %s [OPTION...]\n\n"
-      "A scene's field, of any kind, in a plane, by the evaluator of the target: its inside filled, contours at even\n"
-      "spacing, layers, gradients. f is the value less that on the surface, of intensities the other way round: below 0\n"
+      "A scene's field, of any kind, in a plane, by the evaluator of the target: its inside filled, contours "
+      "at even\n"
+      "spacing, layers, gradients. f is the value less that on the surface, of intensities the other way "
+      "round: below 0\n"
       "inside. Robots are at rest, as for `nearfield eval`.\n\n%s",
       usage, describe(slice_options()).c_str());
 }
@@ -47,7 +51,8 @@ std::vector<Wave> waves_of(const Options& options) {
     const std::size_t comma = text.find(',');
     const auto amplitude = parse_number(text.substr(0, comma));
     const auto frequency = comma == std::string::npos ? std::nullopt : parse_number(text.substr(comma + 1));
-    if (!amplitude || !frequency || !(*amplitude > 0.0 && *amplitude <= 1e6) || !(*frequency > 0.0 && *frequency <= 1e6)) {
+    if (!amplitude || !frequency || !(*amplitude > 0.0 && *amplitude <= 1e6) ||
+        !(*frequency > 0.0 && *frequency <= 1e6)) {
       throw UsageError("--wave " + text + ": two numbers above 0 and at most 1000000, such as 1,62.8");
     }
     waves.push_back({*amplitude, *frequency});
@@ -61,7 +66,8 @@ Plane plane_of(const Options& options, const SceneField& field, const std::optio
   const auto text = options.value("plane");
   const Vector3d middle = origin ? *origin : surface ? surface->middle() : Vector3d{};
   if (!field.in_domain(middle)) {
-    throw UsageError("--origin lies outside the number range: at most " + format_number(field.domain()) + " m each way");
+    throw UsageError("--origin lies outside the number range: at most " + format_number(field.domain()) +
+                     " m each way");
   }
   if (text && normal) throw UsageError("--plane and --normal exclude each other");
   if (normal) {
@@ -72,8 +78,8 @@ Plane plane_of(const Options& options, const SceneField& field, const std::optio
   const bool named = text->size() > 2 && (*text)[0] >= 'x' && (*text)[0] <= 'z' && (*text)[1] == '=';
   const auto value = named ? parse_number(text->substr(2)) : std::nullopt;
   if (!value || std::abs(*value) > field.domain()) {
-    throw UsageError("--plane " + *text + ": x, y or z, =, and from -" + format_number(field.domain()) + " to " +
-                     format_number(field.domain()) + " m, such as z=0.1");
+    throw UsageError("--plane " + *text + ": x, y or z, =, and from -" + format_number(field.domain()) +
+                     " to " + format_number(field.domain()) + " m, such as z=0.1");
   }
   return coordinate_plane(static_cast<unsigned>((*text)[0] - 'x'), *value);
 }
@@ -82,9 +88,11 @@ SliceSettings settings_of(const Options& options, const SceneField& field) {
   SliceSettings settings;
   settings.width = size_of(options).width;
   settings.height = size_of(options).height;
-  if (settings.width < 160 || settings.height < 160) throw UsageError("--size: a slice needs 160 pixels each way at least");
+  if (settings.width < 160 || settings.height < 160)
+    throw UsageError("--size: a slice needs 160 pixels each way at least");
   settings.spacing = number_of(options, "spacing", {0.0, 1e6, "", true});
-  if (settings.spacing && options.has("levels")) throw UsageError("--levels and --spacing exclude each other");
+  if (settings.spacing && options.has("levels"))
+    throw UsageError("--levels and --spacing exclude each other");
   settings.levels = static_cast<int>(whole_number_of(options, "levels", 1, 100, 10));
   settings.layers = options.has("bands");
   settings.bands = Bands(waves_of(options));
@@ -97,7 +105,8 @@ SliceSettings settings_of(const Options& options, const SceneField& field) {
     settings.middle_u = dot(*origin - settings.plane.origin, settings.plane.u);
     settings.middle_v = dot(*origin - settings.plane.origin, settings.plane.v);
   }
-  if (const auto width = number_of(options, "width-metres", {0.0, 1000.0, "m", true})) settings.width_metres = *width;
+  if (const auto width = number_of(options, "width-metres", {0.0, 1000.0, "m", true}))
+    settings.width_metres = *width;
   return settings;
 }
 
@@ -119,7 +128,8 @@ int run_slice(const std::vector<std::string>& arguments) {
     Progress progress("sampling");
     picture = slice_of(*field, settings, scene.name, [&progress](double done) { progress.report(done); });
   }
-  write_file(output, ends_with(output, ".svg") ? draw::slice_svg(picture) : draw::png_of(draw::slice_image(picture)));
+  write_file(output,
+             ends_with(output, ".svg") ? draw::slice_svg(picture) : draw::png_of(draw::slice_image(picture)));
   std::printf("%s: \"%s\", %s\n", output.c_str(), scene.name.c_str(), picture.note.c_str());
   return 0;
 }

@@ -31,10 +31,14 @@ class BitWriter {
     bits(reversed, count);
   }
   void literal_or_length(std::uint32_t symbol) {
-    if (symbol < 144) code(0x30 + symbol, 8);
-    else if (symbol < 256) code(0x190 + symbol - 144, 9);
-    else if (symbol < 280) code(symbol - 256, 7);
-    else code(0xC0 + symbol - 280, 8);
+    if (symbol < 144)
+      code(0x30 + symbol, 8);
+    else if (symbol < 256)
+      code(0x190 + symbol - 144, 9);
+    else if (symbol < 280)
+      code(symbol - 256, 7);
+    else
+      code(0xC0 + symbol - 280, 8);
   }
   std::string finish() {
     if (count_ != 0) bits(0, 8 - count_);
@@ -117,7 +121,8 @@ class Matcher {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::size_t hash(std::size_t at) const {
     std::uint32_t word = 0;
-    for (std::size_t i = 0; i < least_match; ++i) word = word << 8U | static_cast<std::uint8_t>(bytes_[at + i]);
+    for (std::size_t i = 0; i < least_match; ++i)
+      word = word << 8U | static_cast<std::uint8_t>(bytes_[at + i]);
     return (word * 0x9E3779B1U) >> (32U - hash_bits);
   }
 
@@ -133,8 +138,8 @@ std::uint8_t paeth(int left, int above, int above_left) {
   return static_cast<std::uint8_t>(from_above <= from_above_left ? above : above_left);
 }
 
-/// Each row after the number of its filter: the one of the five whose bytes, as signed numbers, have the least sum of
-/// magnitudes.
+/// Each row after the number of its filter: the one of the five whose bytes, as signed numbers, have the
+/// least sum of magnitudes.
 std::string filtered_rows(const RgbImage& image) {
   const std::size_t stride = 3 * image.width;
   std::string text;
@@ -150,7 +155,11 @@ std::string filtered_rows(const RgbImage& image) {
       long sum = 0;
       for (std::size_t i = 0; i < stride; ++i) {
         const int a = i < 3 ? 0 : now[i - 3], b = above[i], c = i < 3 ? 0 : above[i - 3];
-        const int predicted = filter == 0 ? 0 : filter == 1 ? a : filter == 2 ? b : filter == 3 ? (a + b) / 2 : paeth(a, b, c);
+        const int predicted = filter == 0   ? 0
+                              : filter == 1 ? a
+                              : filter == 2 ? b
+                              : filter == 3 ? (a + b) / 2
+                                            : paeth(a, b, c);
         const auto byte = static_cast<std::uint8_t>(now[i] - predicted);
         row[i] = static_cast<char>(byte);
         sum += std::min<int>(byte, 256 - byte);
@@ -204,11 +213,13 @@ std::string zlib_of(std::string_view bytes) {
     if (match.length == 0) {
       writer.literal_or_length(static_cast<std::uint8_t>(bytes[at]));
     } else {
-      const std::size_t length = index_in(lengths, match.length), distance = index_in(distances, match.distance);
+      const std::size_t length = index_in(lengths, match.length),
+                        distance = index_in(distances, match.distance);
       writer.literal_or_length(static_cast<std::uint32_t>(257 + length));
       writer.bits(static_cast<std::uint32_t>(match.length) - lengths[length].base, lengths[length].extra);
       writer.code(static_cast<std::uint32_t>(distance), 5);
-      writer.bits(static_cast<std::uint32_t>(match.distance) - distances[distance].base, distances[distance].extra);
+      writer.bits(static_cast<std::uint32_t>(match.distance) - distances[distance].base,
+                  distances[distance].extra);
     }
     for (const std::size_t end = at + std::max<std::size_t>(match.length, 1); at < end; ++at) matcher.add(at);
   }
@@ -220,7 +231,8 @@ std::string zlib_of(std::string_view bytes) {
 
 std::string png_of(const RgbImage& image) {
   const auto valid_side = [](std::size_t side) { return side >= 1 && side <= greatest_image_side; };
-  if (!valid_side(image.width) || !valid_side(image.height) || image.bytes.size() != 3 * image.width * image.height) {
+  if (!valid_side(image.width) || !valid_side(image.height) ||
+      image.bytes.size() != 3 * image.width * image.height) {
     throw std::invalid_argument("draw: an image needs sides from 1 to 16384 pixels and three bytes a pixel");
   }
   std::string header;

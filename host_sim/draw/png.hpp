@@ -17,8 +17,9 @@ struct RgbImage {
 
 inline constexpr std::size_t greatest_image_side = 16384;  ///< pixels
 
-/// The bytes of a PNG file: colour type 2, 8 bits, sRGB, each row filtered and compressed. The same image gives the same
-/// bytes. Throws std::invalid_argument when a side is 0 or above greatest_image_side, or bytes do not fit the sides.
+/// The bytes of a PNG file: colour type 2, 8 bits, sRGB, each row filtered and compressed. The same image
+/// gives the same bytes. Throws std::invalid_argument when a side is 0 or above greatest_image_side, or bytes
+/// do not fit the sides.
 std::string png_of(const RgbImage& image);
 
 /// ISO 3309, as chunks of a PNG end with.

@@ -17,13 +17,15 @@ std::array<float, 3> channels_of(const std::string& colour) {
                      colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!plain) throw std::invalid_argument("draw: a colour of pixels is not #RRGGBB");
   std::array<float, 3> channels{};
-  for (std::size_t i = 0; i < 3; ++i) channels[i] = static_cast<float>(std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16));
+  for (std::size_t i = 0; i < 3; ++i)
+    channels[i] = static_cast<float>(std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16));
   return channels;
 }
 
 Rectangle common(const Rectangle& a, const Rectangle& b) {
   const double left = std::max(a.left, b.left), top = std::max(a.top, b.top);
-  return {left, top, std::max(0.0, std::min(a.right(), b.right()) - left), std::max(0.0, std::min(a.bottom(), b.bottom()) - top)};
+  return {left, top, std::max(0.0, std::min(a.right(), b.right()) - left),
+          std::max(0.0, std::min(a.bottom(), b.bottom()) - top)};
 }
 
 /// The pixels, of `count`, that the stretch [low, high] touches.
@@ -54,7 +56,9 @@ void RasterDocument::end_group() {
   windows_.pop_back();
 }
 
-void RasterDocument::line(Point from, Point to, const ShapeStyle& style) { path({Polyline{{from, to}, false}}, style); }
+void RasterDocument::line(Point from, Point to, const ShapeStyle& style) {
+  path({Polyline{{from, to}, false}}, style);
+}
 
 void RasterDocument::path(const std::vector<Polyline>& lines, const ShapeStyle& style) {
   if (style.fill != "none") fill(lines, style.fill, style.fill_opacity);
@@ -62,7 +66,11 @@ void RasterDocument::path(const std::vector<Polyline>& lines, const ShapeStyle& 
 }
 
 void RasterDocument::rectangle(const Rectangle& area, const ShapeStyle& style, double) {
-  path({Polyline{{{area.left, area.top}, {area.right(), area.top}, {area.right(), area.bottom()}, {area.left, area.bottom()}}, true}},
+  path({Polyline{{{area.left, area.top},
+                  {area.right(), area.top},
+                  {area.right(), area.bottom()},
+                  {area.left, area.bottom()}},
+                 true}},
        style);
 }
 
@@ -73,15 +81,19 @@ void RasterDocument::arrow(Point from, Point to, const std::string& colour, doub
   const Point unit{dx / length, dy / length};
   const Point neck{to.x - unit.x * head_length, to.y - unit.y * head_length};
   line(from, neck, stroked(colour, width));
-  path({Polyline{{to, {neck.x - unit.y * head_half_width, neck.y + unit.x * head_half_width},
-                  {neck.x + unit.y * head_half_width, neck.y - unit.x * head_half_width}}, true}},
+  path({Polyline{{to,
+                  {neck.x - unit.y * head_half_width, neck.y + unit.x * head_half_width},
+                  {neck.x + unit.y * head_half_width, neck.y - unit.x * head_half_width}},
+                 true}},
        filled(colour));
 }
 
 void RasterDocument::text(Point position, const std::string& content, const TextStyle& style) {
   std::vector<Polyline> lines = stroked_text(content, style.size);
   const double width = stroked_text_width(content, style.size);
-  const double start = style.anchor == TextAnchor::start ? 0.0 : style.anchor == TextAnchor::middle ? 0.5 * width : width;
+  const double start = style.anchor == TextAnchor::start    ? 0.0
+                       : style.anchor == TextAnchor::middle ? 0.5 * width
+                                                            : width;
   for (Polyline& one : lines) {
     for (Point& p : one.points) p = {position.x + p.x - start, position.y + p.y};
   }
@@ -90,7 +102,8 @@ void RasterDocument::text(Point position, const std::string& content, const Text
   stroke(lines, style.fill, thickness, 1.0);
 }
 
-void RasterDocument::text_along(Point centre, Point direction, const std::string& content, const TextStyle& style) {
+void RasterDocument::text_along(Point centre, Point direction, const std::string& content,
+                                const TextStyle& style) {
   const double size = std::hypot(direction.x, direction.y);
   const Point along{direction.x / size, direction.y / size};
   std::vector<Polyline> lines = stroked_text(content, style.size);
@@ -106,7 +119,8 @@ void RasterDocument::text_along(Point centre, Point direction, const std::string
 
 RgbImage RasterDocument::image() const {
   RgbImage image{width_, height_, std::vector<std::uint8_t>(pixels_.size())};
-  for (std::size_t i = 0; i < pixels_.size(); ++i) image.bytes[i] = static_cast<std::uint8_t>(std::lround(pixels_[i]));
+  for (std::size_t i = 0; i < pixels_.size(); ++i)
+    image.bytes[i] = static_cast<std::uint8_t>(std::lround(pixels_[i]));
   return image;
 }
 
@@ -142,10 +156,12 @@ void RasterDocument::fill(const std::vector<Polyline>& rings, const std::string&
   paint(colour, opacity);
 }
 
-void RasterDocument::stroke(const std::vector<Polyline>& lines, const std::string& colour, double width, double opacity) {
+void RasterDocument::stroke(const std::vector<Polyline>& lines, const std::string& colour, double width,
+                            double opacity) {
   for (const Polyline& one : lines) {
     if (one.points.size() < 2) continue;
-    for (std::size_t i = 1; i < one.points.size(); ++i) cover_segment(one.points[i - 1], one.points[i], 0.5 * width);
+    for (std::size_t i = 1; i < one.points.size(); ++i)
+      cover_segment(one.points[i - 1], one.points[i], 0.5 * width);
     if (one.closed) cover_segment(one.points.back(), one.points.front(), 0.5 * width);
   }
   paint(colour, opacity);

@@ -9,9 +9,9 @@
 
 namespace nearfield::host::draw {
 
-/// What SvgDocument draws, as pixels: the calls have the same meaning. Edges are smoothed; dashes are drawn as whole lines, corners
-/// of rectangles are sharp, text is that of stroke_font.hpp. Colours are `#RRGGBB`, others throw std::invalid_argument.
-/// The same calls give the same pixels.
+/// What SvgDocument draws, as pixels: the calls have the same meaning. Edges are smoothed; dashes are drawn
+/// as whole lines, corners of rectangles are sharp, text is that of stroke_font.hpp. Colours are `#RRGGBB`,
+/// others throw std::invalid_argument. The same calls give the same pixels.
 class RasterDocument {
  public:
   /// White paper; whole pixels.

@@ -24,13 +24,14 @@ constexpr const char* slope_colour = "#3B4A5C";
 struct Rgb {
   int red, green, blue;
 };
-constexpr Rgb inside_dark{186, 98, 58}, inside_light{250, 232, 219}, outside_dark{104, 151, 186}, outside_light{247, 250, 252};
+constexpr Rgb inside_dark{186, 98, 58}, inside_light{250, 232, 219}, outside_dark{104, 151, 186},
+    outside_light{247, 250, 252};
 
 std::string between(const Rgb& dark, const Rgb& light, double t) {
   const auto mixed = [t](int a, int b) { return static_cast<unsigned>(std::lround(a + t * (b - a))); };
   char text[16];
-  std::snprintf(text, sizeof text, "#%02X%02X%02X", mixed(dark.red, light.red) & 0xFFU, mixed(dark.green, light.green) & 0xFFU,
-                mixed(dark.blue, light.blue) & 0xFFU);
+  std::snprintf(text, sizeof text, "#%02X%02X%02X", mixed(dark.red, light.red) & 0xFFU,
+                mixed(dark.green, light.green) & 0xFFU, mixed(dark.blue, light.blue) & 0xFFU);
   return text;
 }
 
@@ -42,12 +43,15 @@ class SlicePainter {
       : document_(document),
         picture_(picture),
         frame_(slice_frame(picture.width, picture.height)),
-        to_page_(picture.window, {frame_.left, frame_.top}, frame_.width / (picture.window.right - picture.window.left)) {}
+        to_page_(picture.window, {frame_.left, frame_.top},
+                 frame_.width / (picture.window.right - picture.window.left)) {}
 
   void draw() {
     document_.begin_clipped_group("field", frame_);
-    if (picture_.shade) draw_layers();
-    else draw_areas();
+    if (picture_.shade)
+      draw_layers();
+    else
+      draw_areas();
     draw_contours();
     draw_slopes();
     draw_scale_bar();
@@ -82,14 +86,18 @@ class SlicePainter {
   /// From light to dark, each shade over the one before; those inside are 1 outside, and the other way round.
   void draw_layers() {
     document_.rectangle(frame_, filled(between(outside_dark, outside_light, 1.0)));
-    draw_shades(grid_of([this](double f) { return picture_.shade(std::max(f, 0.0)); }), outside_dark, outside_light);
-    document_.path(on_page(filled_region(picture_.field, 0.0)), filled(between(inside_dark, inside_light, 1.0)));
-    draw_shades(grid_of([this](double f) { return picture_.shade(std::min(f, 0.0)); }), inside_dark, inside_light);
+    draw_shades(grid_of([this](double f) { return picture_.shade(std::max(f, 0.0)); }), outside_dark,
+                outside_light);
+    document_.path(on_page(filled_region(picture_.field, 0.0)),
+                   filled(between(inside_dark, inside_light, 1.0)));
+    draw_shades(grid_of([this](double f) { return picture_.shade(std::min(f, 0.0)); }), inside_dark,
+                inside_light);
   }
   void draw_shades(const SampledGrid& shades, const Rgb& dark, const Rgb& light) {
     for (int k = shade_count - 1; k >= 1; --k) {
       const double t = static_cast<double>(k) / shade_count;
-      document_.path(on_page(filled_region(shades, t), shade_tolerance), filled(between(dark, light, t - 0.5 / shade_count)));
+      document_.path(on_page(filled_region(shades, t), shade_tolerance),
+                     filled(between(dark, light, t - 0.5 / shade_count)));
     }
   }
 
@@ -108,13 +116,15 @@ class SlicePainter {
   void draw_slopes() {
     if (picture_.slopes.empty()) return;
     std::vector<double> lengths;
-    for (const SlicePicture::Slope& slope : picture_.slopes) lengths.push_back(std::hypot(slope.uphill.x, slope.uphill.y));
+    for (const SlicePicture::Slope& slope : picture_.slopes)
+      lengths.push_back(std::hypot(slope.uphill.x, slope.uphill.y));
     const auto high = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() * 9 / 10);
     std::nth_element(lengths.begin(), high, lengths.end());
     if (!(*high > 0.0)) return;
     document_.begin_group("gradients");
     for (const SlicePicture::Slope& slope : picture_.slopes) {
-      const double size = std::hypot(slope.uphill.x, slope.uphill.y), shown = 20.0 * std::min(1.0, size / *high);
+      const double size = std::hypot(slope.uphill.x, slope.uphill.y),
+                   shown = 20.0 * std::min(1.0, size / *high);
       if (shown < 2.0) continue;
       const Point at = to_page_(slope.at);
       const Point half{0.5 * shown * slope.uphill.x / size, -0.5 * shown * slope.uphill.y / size};
@@ -125,13 +135,15 @@ class SlicePainter {
 
   void draw_scale_bar() {
     double metres = 0.0;
-    for (const Tick& tick : round_ticks(0.0, (picture_.window.right - picture_.window.left) / 4.0, 3)) metres = std::max(metres, tick.value);
+    for (const Tick& tick : round_ticks(0.0, (picture_.window.right - picture_.window.left) / 4.0, 3))
+      metres = std::max(metres, tick.value);
     if (!(metres > 0.0)) return;
     const double width = to_page_.pixels(metres);
     const Point right{frame_.right() - 16.0, frame_.bottom() - 14.0}, left{right.x - width, right.y};
     document_.begin_group("scale-bar");
     document_.rectangle({left.x - 8.0, left.y - 24.0, width + 16.0, 32.0}, filled(palette::paper, 0.85), 3.0);
-    document_.path({Polyline{{{left.x, left.y - 5.0}, left, right, {right.x, right.y - 5.0}}, false}}, stroked(palette::ink, 1.6));
+    document_.path({Polyline{{{left.x, left.y - 5.0}, left, right, {right.x, right.y - 5.0}}, false}},
+                   stroked(palette::ink, 1.6));
     TextStyle style;
     style.size = font::small;
     style.anchor = TextAnchor::middle;
@@ -187,7 +199,8 @@ Rectangle slice_frame(std::size_t width, std::size_t height) {
 }
 
 std::string slice_svg(const SlicePicture& picture) {
-  SvgDocument document(static_cast<double>(picture.width), static_cast<double>(picture.height), picture.title, picture.note);
+  SvgDocument document(static_cast<double>(picture.width), static_cast<double>(picture.height), picture.title,
+                       picture.note);
   SlicePainter<SvgDocument>(document, picture).draw();
   return document.finish();
 }

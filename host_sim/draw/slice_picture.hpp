@@ -19,16 +19,17 @@ struct SlicePicture {
   };
 
   std::string title;
-  std::string note;               ///< beneath the title
-  std::string axis_u, axis_v;     ///< with their units
-  std::size_t width = 640;        ///< of the whole picture, pixels
+  std::string note;            ///< beneath the title
+  std::string axis_u, axis_v;  ///< with their units
+  std::size_t width = 640;     ///< of the whole picture, pixels
   std::size_t height = 480;
-  WorldWindow window;             ///< as slice_frame() has it for this picture's sides: the same scale both ways
-  SampledGrid field;              ///< f over the window
-  double spacing = 0.1;           ///< of the contour lines, in units of f; above 0
-  int outer_count = 10;           ///< contour lines outside, at spacing, 2 spacing ...
-  int inner_count = 10;           ///< and inside
-  std::function<double(double f)> shade;  ///< of layers, 0 to 1 and 1 where f is 0; without it areas are plain
+  WorldWindow window;    ///< as slice_frame() has it for this picture's sides: the same scale both ways
+  SampledGrid field;     ///< f over the window
+  double spacing = 0.1;  ///< of the contour lines, in units of f; above 0
+  int outer_count = 10;  ///< contour lines outside, at spacing, 2 spacing ...
+  int inner_count = 10;  ///< and inside
+  std::function<double(double f)>
+      shade;  ///< of layers, 0 to 1 and 1 where f is 0; without it areas are plain
   std::vector<Slope> slopes;
 };
 

@@ -1,4 +1,5 @@
-// Layers of a field: sum a_j (cos(w_j f) + 1), as Akleman and Chen have it. Of even thickness where |gradient f| is.
+// Layers of a field: sum a_j (cos(w_j f) + 1), as Akleman and Chen have it. Of even thickness where |gradient
+// f| is.
 #pragma once
 
 #include <string>

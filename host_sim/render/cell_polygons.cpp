@@ -23,17 +23,20 @@ std::array<unsigned, 4> face_corners(unsigned face) {
   return {base, base + u, base + u + v, base + v};
 }
 
-// Walking round a face, the surface's line goes from where the walk enters the inside to where it leaves it next: so each inside
-// corner across from another is cut off by itself, and lines of neighbouring faces join head to tail. `next[edge]`:
-// where the line goes on.
+// Walking round a face, the surface's line goes from where the walk enters the inside to where it leaves it
+// next: so each inside corner across from another is cut off by itself, and lines of neighbouring faces join
+// head to tail. `next[edge]`: where the line goes on.
 void link_face(unsigned face, std::uint8_t inside, std::array<unsigned, none>& next) {
   const std::array<unsigned, 4> corners = face_corners(face);
-  const auto is_inside = [&](unsigned i) { return (static_cast<unsigned>(inside) >> corners[i % 4] & 1U) != 0; };
+  const auto is_inside = [&](unsigned i) {
+    return (static_cast<unsigned>(inside) >> corners[i % 4] & 1U) != 0;
+  };
   for (unsigned i = 0; i < 4; ++i) {
     if (is_inside(i) || !is_inside(i + 1)) continue;
     unsigned last = i + 1;
     while (is_inside(last + 1)) ++last;
-    next[edge_between(corners[i], corners[(i + 1) % 4])] = edge_between(corners[last % 4], corners[(last + 1) % 4]);
+    next[edge_between(corners[i], corners[(i + 1) % 4])] =
+        edge_between(corners[last % 4], corners[(last + 1) % 4]);
   }
 }
 

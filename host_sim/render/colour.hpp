@@ -12,9 +12,15 @@ struct Colour {
   double red = 0.0, green = 0.0, blue = 0.0;
 };
 
-inline Colour operator+(const Colour& a, const Colour& b) { return {a.red + b.red, a.green + b.green, a.blue + b.blue}; }
-inline Colour operator*(double factor, const Colour& a) { return {factor * a.red, factor * a.green, factor * a.blue}; }
-inline Colour operator*(const Colour& a, const Colour& b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
+inline Colour operator+(const Colour& a, const Colour& b) {
+  return {a.red + b.red, a.green + b.green, a.blue + b.blue};
+}
+inline Colour operator*(double factor, const Colour& a) {
+  return {factor * a.red, factor * a.green, factor * a.blue};
+}
+inline Colour operator*(const Colour& a, const Colour& b) {
+  return {a.red * b.red, a.green * b.green, a.blue * b.blue};
+}
 // `a` where t is 0, `b` where it is 1.
 inline Colour mixed(const Colour& a, const Colour& b, double t) { return (1.0 - t) * a + t * b; }
 

@@ -25,14 +25,16 @@ std::string one_line(const std::string& text) {
 }  // namespace
 
 std::string ply_of(const SurfaceMesh& mesh, const std::string& comment) {
-  std::string text = "ply\nformat binary_little_endian 1.0\ncomment " + one_line(comment) + "\nelement vertex " +
-                     std::to_string(mesh.vertices.size()) +
+  std::string text = "ply\nformat binary_little_endian 1.0\ncomment " + one_line(comment) +
+                     "\nelement vertex " + std::to_string(mesh.vertices.size()) +
                      "\nproperty double x\nproperty double y\nproperty double z\n"
                      "property float nx\nproperty float ny\nproperty float nz\nelement face " +
-                     std::to_string(mesh.triangles.size()) + "\nproperty list uchar uint vertex_indices\nend_header\n";
+                     std::to_string(mesh.triangles.size()) +
+                     "\nproperty list uchar uint vertex_indices\nend_header\n";
   for (const SurfaceMesh::Vertex& v : mesh.vertices) {
     for (const double x : {v.position.x, v.position.y, v.position.z}) append<std::uint64_t>(text, x);
-    for (const double x : {v.normal.x, v.normal.y, v.normal.z}) append<std::uint32_t>(text, static_cast<float>(x));
+    for (const double x : {v.normal.x, v.normal.y, v.normal.z})
+      append<std::uint32_t>(text, static_cast<float>(x));
   }
   for (const auto& triangle : mesh.triangles) {
     text += '\3';

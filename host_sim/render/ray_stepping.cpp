@@ -7,7 +7,9 @@ namespace nearfield::host {
 namespace {
 
 constexpr int greatest_step_count = 1200;
-constexpr double least_advance = 1e-9;  // m
+constexpr double least_advance = 1e-9;      // m
+constexpr double decided_reach = 2.0;       // resolutions within which a place is on the surface
+constexpr double undecided_step = 12.5;     // resolutions
 constexpr double least_from_origin = 1e-6;  // m, of light
 constexpr int halvings = 36;
 
@@ -25,9 +27,12 @@ double halved(const SceneField& field, const Ray& ray, double outside, double in
 }
 
 RayHit by_fixed_steps(const SceneField& field, const Ray& ray, double from, double to, double step) {
+  // Where more than a step is proved to be free, that is taken.
+  double free = field.free_radius_where(field.outward(ray.at(from)));
   for (double before = from; before < to;) {
-    const double t = std::min(before + step, to);
-    if (field.inside(ray.at(t))) return {true, halved(field, ray, before, t), Stepping::bisection};
+    const double t = std::min(before + std::max(step, free), to), f = field.outward(ray.at(t));
+    if (f < 0.0) return {true, halved(field, ray, before, t), Stepping::bisection};
+    free = field.free_radius_where(f);
     before = t;
   }
   return {false, to, Stepping::bisection};
@@ -37,7 +42,7 @@ RayHit by_fixed_steps(const SceneField& field, const Ray& ray, double from, doub
 
 Stretch stretch_within(const Ray& ray, const Box3& box) {
   Stretch stretch{0.0, 1e9};
-  for (double Vector3d::* x : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
+  for (double Vector3d::*x : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
     const double origin = ray.origin.*x, slope = ray.direction.*x;
     if (std::abs(slope) < 1e-12) {
       if (origin < box.low.*x || origin > box.high.*x) return {};
@@ -56,30 +61,41 @@ double first_order_distance(const FieldAnswer& answer, double greatest) {
   return answer.outward < greatest * slope ? answer.outward / slope : greatest;
 }
 
+double undecided_distance(const SceneField& field) {
+  const FieldProof& proof = field.proof();
+  return proof.rate ? proof.error / *proof.rate : 0.0;
+}
+
 Stepping stepping_for(const SceneField& field, double tolerance) {
   if (!field.certified()) return Stepping::bisection;
   const FieldProof& proof = field.proof();
-  // An intensity without a rate: its error moves the surface by as much as its slope there says, which is not known; it
-  // has to be far below the level.
+  // An intensity without a rate: its error moves the surface by as much as its slope there says, which is not
+  // known; it has to be far below the level.
   if (!proof.rate) return proof.error <= 1e-3 ? Stepping::certified : Stepping::bisection;
-  return proof.error <= tolerance * *proof.rate ? Stepping::certified : Stepping::bisection;
+  return undecided_distance(field) <= tolerance ? Stepping::certified : Stepping::bisection;
 }
 
-RayHit first_hit(const SceneField& field, const Ray& ray, const Stretch& stretch, const SteppingSettings& settings) {
+RayHit first_hit(const SceneField& field, const Ray& ray, const Stretch& stretch,
+                 const SteppingSettings& settings) {
   if (!(stretch.from < stretch.to)) return {};
   if (field.inside(ray.at(stretch.from))) return {true, stretch.from, settings.stepping};
   if (settings.stepping == Stepping::bisection) {
     return by_fixed_steps(field, ray, stretch.from, stretch.to, settings.fixed_step);
   }
-  double t = stretch.from, guess = 0.25 * (stretch.to - stretch.from);
+  double t = stretch.from, before = t, guess = 0.25 * (stretch.to - stretch.from);
   for (int step = 0; step < greatest_step_count; ++step) {
     const Vector3d p = ray.at(t);
     const double radius = field.free_radius(p, guess), resolution = resolution_at(t, settings);
-    if (radius < resolution && first_order_distance(field.at(p), 2.0 * resolution) < 2.0 * resolution) {
-      return {true, t, Stepping::certified};
+    if (radius < resolution) {
+      const FieldAnswer answer = field.at(p);
+      if (answer.outward < 0.0) return {true, halved(field, ray, before, t), Stepping::certified};
+      if (first_order_distance(answer, decided_reach * resolution) < decided_reach * resolution) {
+        return {true, t, Stepping::certified};
+      }
     }
-    if (radius < least_advance) break;
-    t += radius;
+    before = t;
+    // Within the certificate's error of the surface nothing is proved.
+    t += radius < least_advance ? undecided_step * resolution : radius;
     if (t >= stretch.to) return {false, stretch.to, Stepping::certified};
     guess = 1.5 * radius;
   }
@@ -89,21 +105,18 @@ RayHit first_hit(const SceneField& field, const Ray& ray, const Stretch& stretch
 double light_along(const SceneField& field, const Ray& ray, const Stretch& stretch, double half_angle,
                    const SteppingSettings& settings) {
   const double width = std::tan(half_angle);
-  double light = 1.0, t = std::max(stretch.from, least_from_origin), guess = 0.25 * (stretch.to - stretch.from);
+  double light = 1.0, t = std::max(stretch.from, least_from_origin),
+         guess = 0.25 * (stretch.to - stretch.from);
   for (int step = 0; step < greatest_step_count && t < stretch.to; ++step) {
     const Vector3d p = ray.at(t);
     const FieldAnswer answer = field.at(p);
     if (answer.outward < 0.0) return 0.0;
     light = std::min(light, first_order_distance(answer, width * t) / (width * t));
     if (light < 0.01) return 0.0;
-    double advance = settings.fixed_step;
-    if (settings.stepping == Stepping::certified) {
-      const double radius = field.kind() == Kind::intensity ? field.free_radius(p, guess) : field.free_radius_where(answer.outward);
-      guess = 1.5 * radius;
-      // Near the surface the light is dim already; smaller steps would not show.
-      advance = std::max(radius, 0.25 * resolution_at(1.0, settings) + 0.002 * t);
-    }
-    t += advance;
+    const double radius = field.kind() == Kind::intensity ? field.free_radius(p, guess)
+                                                          : field.free_radius_where(answer.outward);
+    guess = 1.5 * radius;
+    t += std::max(radius, settings.fixed_step);
   }
   return light;
 }

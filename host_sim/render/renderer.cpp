@@ -11,9 +11,9 @@
 namespace nearfield::host {
 namespace {
 
-constexpr double light_half_angle = 0.055;  // rad, of the lamp
+constexpr double light_half_angle = 0.055;                                 // rad, of the lamp
 constexpr std::array<double, 4> openness_reaches{0.03, 0.08, 0.18, 0.35};  // of the surface's radius
-constexpr int extra_rays_each_way = 3;      // of a pixel where neighbours differ
+constexpr int extra_rays_each_way = 3;  // of a pixel where neighbours differ
 constexpr Colour horizon{0.80, 0.83, 0.87}, zenith{0.93, 0.945, 0.96}, ground_colour{0.74, 0.74, 0.73};
 constexpr Colour lamp{1.02, 0.98, 0.92}, sky_light{0.40, 0.43, 0.47}, bounced_light{0.20, 0.19, 0.18};
 
@@ -34,7 +34,8 @@ double smooth_step(double from, double to, double x) {
 
 double distance_to(const Box3& box, const Vector3d& p) {
   const auto beyond = [](double x, double low, double high) { return std::max({0.0, low - x, x - high}); };
-  return length({beyond(p.x, box.low.x, box.high.x), beyond(p.y, box.low.y, box.high.y), beyond(p.z, box.low.z, box.high.z)});
+  return length({beyond(p.x, box.low.x, box.high.x), beyond(p.y, box.low.y, box.high.y),
+                 beyond(p.z, box.low.z, box.high.z)});
 }
 
 class Renderer {
@@ -45,7 +46,7 @@ class Renderer {
     radius_ = std::max(0.5 * length(size), 1e-4);
     const double distance = length(settings.camera.at - settings.camera.from);
     footprint_ = view_.pixel_angle();
-    stepping_.stepping = stepping_for(field, 0.25 * footprint_ * distance);
+    stepping_.stepping = stepping_for(field, 0.02 * radius_);
     stepping_.resolution = 0.02 * footprint_;
     stepping_.least_resolution = 1e-3 * footprint_ * distance;
     looked_at_ = stepping_.stepping == Stepping::certified
@@ -53,7 +54,8 @@ class Renderer {
                      : intersection(grown(settings.surface, 0.05 * radius_), settings.drawn);
     stepping_.fixed_step = length(looked_at_.size()) / static_cast<double>(settings.steps);
     shadow_stepping_ = stepping_;
-    shadow_stepping_.fixed_step *= 2.0;
+    shadow_stepping_.fixed_step =
+        stepping_.stepping == Stepping::certified ? 0.5 * footprint_ * distance : 2.0 * stepping_.fixed_step;
     shadow_box_ = intersection(grown(settings.surface, 0.25 * radius_), settings.drawn);
     const Vector3d forward = view_.forward(), right = view_.right();
     to_lamp_ = normalised(-0.45 * forward + -0.75 * right + Vector3d{0.0, 0.0, 1.15});
@@ -63,29 +65,39 @@ class Renderer {
   Rendering picture(const ReportProgress& report) {
     Rendering result;
     result.stepping = stepping_.stepping;
+    const double undecided = undecided_distance(field_);
+    if (undecided > 12.5 * stepping_.resolution * length(settings_.camera.at - settings_.camera.from))
+      result.undecided = undecided;
     if (settings_.ground) result.ground_spacing = ground_spacing_;
-    result.image = {settings_.width, settings_.height, std::vector<std::uint8_t>(3 * settings_.width * settings_.height)};
+    result.image = {settings_.width, settings_.height,
+                    std::vector<std::uint8_t>(3 * settings_.width * settings_.height)};
     looks_.resize(settings_.width * settings_.height);
     std::vector<std::uint64_t> rays(settings_.height, settings_.width), bisected(settings_.height, 0);
-    for_each_row(settings_.height, settings_.threads,
-                 [&](std::size_t y) {
-                   for (std::size_t x = 0; x < settings_.width; ++x) {
-                     looks_[y * settings_.width + x] = look(view_.ray(real(x) + 0.5, real(y) + 0.5));
-                     bisected[y] += look_at(x, y).bisected ? 1U : 0U;
-                   }
-                 },
-                 [&](double done) { if (report) report(0.5 * done); });
-    for_each_row(settings_.height, settings_.threads,
-                 [&](std::size_t y) {
-                   for (std::size_t x = 0; x < settings_.width; ++x) {
-                     const Colour colour = smoothed(x, y, rays[y], bisected[y]);
-                     std::uint8_t* byte = result.image.bytes.data() + 3 * (y * settings_.width + x);
-                     byte[0] = srgb_byte(colour.red);
-                     byte[1] = srgb_byte(colour.green);
-                     byte[2] = srgb_byte(colour.blue);
-                   }
-                 },
-                 [&](double done) { if (report) report(0.5 + 0.5 * done); });
+    for_each_row(
+        settings_.height, settings_.threads,
+        [&](std::size_t y) {
+          for (std::size_t x = 0; x < settings_.width; ++x) {
+            looks_[y * settings_.width + x] = look(view_.ray(real(x) + 0.5, real(y) + 0.5));
+            bisected[y] += look_at(x, y).bisected ? 1U : 0U;
+          }
+        },
+        [&](double done) {
+          if (report) report(0.5 * done);
+        });
+    for_each_row(
+        settings_.height, settings_.threads,
+        [&](std::size_t y) {
+          for (std::size_t x = 0; x < settings_.width; ++x) {
+            const Colour colour = smoothed(x, y, rays[y], bisected[y]);
+            std::uint8_t* byte = result.image.bytes.data() + 3 * (y * settings_.width + x);
+            byte[0] = srgb_byte(colour.red);
+            byte[1] = srgb_byte(colour.green);
+            byte[2] = srgb_byte(colour.blue);
+          }
+        },
+        [&](double done) {
+          if (report) report(0.5 + 0.5 * done);
+        });
     for (std::size_t y = 0; y < settings_.height; ++y) {
       result.rays += rays[y];
       result.bisected_rays += bisected[y];
@@ -100,10 +112,13 @@ class Renderer {
   // -- edges between pixels
   static bool differ(const Look& a, const Look& b) {
     if (a.seen != b.seen) return true;
-    const auto shown = [](const Colour& c) { return std::sqrt(std::max(0.0, 0.3 * c.red + 0.6 * c.green + 0.1 * c.blue)); };
+    const auto shown = [](const Colour& c) {
+      return std::sqrt(std::max(0.0, 0.3 * c.red + 0.6 * c.green + 0.1 * c.blue));
+    };
     if (std::abs(shown(a.colour) - shown(b.colour)) > 0.04) return true;
     return a.seen == Seen::surface &&
-           (dot(a.normal, b.normal) < 0.9 || std::abs(a.distance - b.distance) > 0.05 * std::min(a.distance, b.distance));
+           (dot(a.normal, b.normal) < 0.9 ||
+            std::abs(a.distance - b.distance) > 0.05 * std::min(a.distance, b.distance));
   }
   bool at_edge(std::size_t x, std::size_t y) const {
     const Look& own = look_at(x, y);
@@ -119,7 +134,8 @@ class Renderer {
     Colour sum;
     for (int v = 0; v < extra_rays_each_way; ++v) {
       for (int u = 0; u < extra_rays_each_way; ++u) {
-        const Look one = look(view_.ray(real(x) + (u + 0.5) / extra_rays_each_way, real(y) + (v + 0.5) / extra_rays_each_way));
+        const Look one = look(
+            view_.ray(real(x) + (u + 0.5) / extra_rays_each_way, real(y) + (v + 0.5) / extra_rays_each_way));
         sum = sum + one.colour;
         ++rays;
         bisected += one.bisected ? 1U : 0U;
@@ -144,7 +160,8 @@ class Renderer {
       const Vector3d p = ray.at(hit.t);
       const double reach = footprint_ * hit.t;
       result.normal = cut ? face_normal(p, ray) : facing(surface_normal(field_, p, reach), ray);
-      result.colour = lit(p, result.normal, cut ? cut_colour(p) : settings_.colour, ray, reach, cut ? 0.0 : 1.0);
+      result.colour =
+          lit(p, result.normal, cut ? cut_colour(p) : settings_.colour, ray, reach, cut ? 0.0 : 1.0);
     } else if (ground_at < 1e9) {
       result.seen = Seen::ground;
       result.distance = ground_at;
@@ -163,7 +180,9 @@ class Renderer {
     if (!settings_.ground || !(ray.direction.z < -1e-6) || !(ray.origin.z > *settings_.ground)) return 1e9;
     return std::min(1e9, (*settings_.ground - ray.origin.z) / ray.direction.z);
   }
-  static Colour sky(const Ray& ray) { return mixed(horizon, zenith, smooth_step(-0.25, 0.6, ray.direction.z)); }
+  static Colour sky(const Ray& ray) {
+    return mixed(horizon, zenith, smooth_step(-0.25, 0.6, ray.direction.z));
+  }
 
   static Vector3d facing(const Vector3d& normal, const Ray& ray) {
     return length(normal) > 0.0 ? normal : -1.0 * ray.direction;
@@ -172,7 +191,7 @@ class Renderer {
   Vector3d face_normal(const Vector3d& p, const Ray& ray) const {
     Vector3d normal = -1.0 * ray.direction;
     double nearest = 1e-6 * (1.0 + radius_);
-    for (double Vector3d::* x : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
+    for (double Vector3d::*x : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
       for (const double side : {-1.0, 1.0}) {
         const double distance = std::abs(p.*x - (side < 0.0 ? looked_at_.low.*x : looked_at_.high.*x));
         if (distance >= nearest) continue;
@@ -217,7 +236,8 @@ class Renderer {
     const double light = light_along(field_, ray, stretch, light_half_angle, shadow_stepping_);
     return light * light * (3.0 - 2.0 * light);
   }
-  // The share of the sky that neighbours leave free, from the first-order distance at places along the normal.
+  // The share of the sky that neighbours leave free, from the first-order distance at places along the
+  // normal.
   double openness(const Vector3d& p, const Vector3d& normal) const {
     double hidden = 0.0;
     for (const double share : openness_reaches) {
@@ -229,7 +249,8 @@ class Renderer {
     }
     return 1.0 - 0.85 * hidden / static_cast<double>(openness_reaches.size());
   }
-  Colour lit(const Vector3d& p, const Vector3d& normal, const Colour& paint, const Ray& ray, double reach, double gloss) const {
+  Colour lit(const Vector3d& p, const Vector3d& normal, const Colour& paint, const Ray& ray, double reach,
+             double gloss) const {
     const Vector3d above = p + std::max(2.0 * reach, 4.0 * stepping_.least_resolution) * normal;
     const double towards_lamp = dot(normal, to_lamp_);
     const double from_lamp = towards_lamp > 0.0 ? lamp_light(above) : 0.0;
@@ -263,7 +284,8 @@ Vector3d surface_normal(const SceneField& field, const Vector3d& p, double reach
   const double slope = length(gradient);
   if (slope > 1e-6) return 1.0 / slope * gradient;
   const auto change = [&](const Vector3d& by) {
-    return field.in_domain(p + by) && field.in_domain(p - by) ? field.outward(p + by) - field.outward(p - by) : 0.0;
+    return field.in_domain(p + by) && field.in_domain(p - by) ? field.outward(p + by) - field.outward(p - by)
+                                                              : 0.0;
   };
   const Vector3d difference{change({reach, 0.0, 0.0}), change({0.0, reach, 0.0}), change({0.0, 0.0, reach})};
   const double size = length(difference);

@@ -24,29 +24,31 @@ Camera camera_framing(const Box3& box, double field_of_view, std::size_t width, 
 struct RenderSettings {
   std::size_t width = 640, height = 480;  // pixels
   Camera camera;
-  Box3 surface;                    // where the surface is: shadows are looked for near it
-  Box3 drawn;                      // what is drawn: the field is cut off at its faces. Within the field's domain
-  std::optional<double> ground;    // m: z of the ground plane
+  Box3 surface;  // where the surface is: shadows are looked for near it
+  Box3 drawn;    // what is drawn: the field is cut off at its faces. Within the field's domain
+  std::optional<double> ground;     // m: z of the ground plane
   Colour colour{0.30, 0.42, 0.55};  // of the surface
-  Bands bands;                     // on the ground and on cut faces, unless empty
-  std::size_t steps = 512;         // across `drawn`, of bisection
-  unsigned threads = 0;            // 0: as many as the machine has
+  Bands bands;                      // on the ground and on cut faces, unless empty
+  std::size_t steps = 512;          // across `drawn`, of bisection
+  unsigned threads = 0;             // 0: as many as the machine has
 };
 
 struct Rendering {
   draw::RgbImage image;
   Stepping stepping = Stepping::certified;
-  std::uint64_t rays = 0;           // from the camera
+  double undecided = 0.0;  // m from the surface within which nothing is certified; 0 where that is less than
+                           // a quarter of a pixel
+  std::uint64_t rays = 0;  // from the camera
   std::uint64_t bisected_rays = 0;  // of these, those that ended by bisection
   double ground_spacing = 0.0;      // m, between the lines on the ground; 0 without a ground
 };
 
-// One ray for each pixel, and nine more where neighbours differ. The same settings give the same bytes, whatever the number of
-// threads.
+// One ray for each pixel, and nine more where neighbours differ. The same settings give the same bytes,
+// whatever the number of threads.
 Rendering render(const SceneField& field, const RenderSettings& settings, const ReportProgress& report = {});
 
-// The normal of the surface at a place near it: the field's gradient, of length 1; without one that of differences over
-// `reach` m, or {0, 0, 0}.
+// The normal of the surface at a place near it: the field's gradient, of length 1; without one that of
+// differences over `reach` m, or {0, 0, 0}.
 Vector3d surface_normal(const SceneField& field, const Vector3d& p, double reach);
 
 }  // namespace nearfield::host

@@ -21,7 +21,8 @@ double real(S value) {
 template <class S>
 class SceneFieldIn final : public SceneField {
  public:
-  SceneFieldIn(const SceneDescription& scene, const std::vector<double>& parameters, std::optional<double> level)
+  SceneFieldIn(const SceneDescription& scene, const std::vector<double>& parameters,
+               std::optional<double> level)
       : field_(scene, parameters),
         kind_(field_.program.kind()),
         level_(level.value_or(surface_level(kind_))),
@@ -71,17 +72,20 @@ class SceneFieldIn final : public SceneField {
  private:
   double careful(double radius) const { return std::max(0.0, careful_factor * radius - rounding_); }
 
-  // Of the radii guess 2^k, the greatest of a few that highest() proves; 0 when none is. `known`: a radius known to be free,
-  // with which a search that finds nothing soon contents itself.
+  // Of the radii guess 2^k, the greatest of a few that highest() proves; 0 when none is. `known`: a radius
+  // known to be free, with which a search that finds nothing soon contents itself.
   double radius_below_level(const Vector3d& p, double guess, double known) const {
     const nearfield::Vector3<S> centre = quantise<S>(p);
     const auto proved = [&](double radius) {
-      return real(field_.program.highest(centre, quantise<S>(radius), field_.slots).value) + proof_.error < level_;
+      return real(field_.program.highest(centre, quantise<S>(radius), field_.slots).value) + proof_.error <
+             level_;
     };
-    const double greatest = domain_, least = known > 0.0 ? std::max(1.4 * known, 0.2 * guess) : 64.0 * rounding_;
+    const double greatest = domain_,
+                 least = known > 0.0 ? std::max(1.4 * known, 0.2 * guess) : 64.0 * rounding_;
     double radius = std::min(std::max(guess, least), greatest);
     if (proved(radius)) {
-      for (int doubling = 0; doubling < 3 && 2.0 * radius <= greatest && proved(2.0 * radius); ++doubling) radius *= 2.0;
+      for (int doubling = 0; doubling < 3 && 2.0 * radius <= greatest && proved(2.0 * radius); ++doubling)
+        radius *= 2.0;
       return radius;
     }
     while (radius > 2.0 * least) {

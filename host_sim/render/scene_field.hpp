@@ -27,8 +27,8 @@ struct FieldProof {
   double error = 0.0;          // greatest |evaluated - exact| where a rate is known
 };
 
-// All members may be called by several threads at once. Points are m, |coordinates| at most domain(); they are rounded to
-// the scalar first.
+// All members may be called by several threads at once. Points are m, |coordinates| at most domain(); they
+// are rounded to the scalar first.
 class SceneField {
  public:
   virtual ~SceneField() = default;
@@ -43,9 +43,9 @@ class SceneField {
   virtual double value(const Vector3d& p) const = 0;    // of the field itself
   virtual double outward(const Vector3d& p) const = 0;  // f
   virtual FieldAnswer at(const Vector3d& p) const = 0;
-  // A radius in m, from 0, such that the sign of f is the same for certain throughout a ball about p. Of intensities
-  // without a rate only where f > 0. `guess`: a radius near which to look (cost alone depends on it, and of intensities how
-  // much is found).
+  // A radius in m, from 0, such that the sign of f is the same for certain throughout a ball about p. Of
+  // intensities without a rate only where f > 0. `guess`: a radius near which to look (cost alone depends on
+  // it, and of intensities how much is found).
   virtual double free_radius(const Vector3d& p, double guess) const = 0;
 
   // The same from f alone, by the rate; 0 without one. Cheaper, and of intensities less.
@@ -57,11 +57,13 @@ class SceneField {
   }
 };
 
-// The value on the surface of fields of a kind: 0 of distances and algebraic fields, 1/2 of intensities and rays.
+// The value on the surface of fields of a kind: 0 of distances and algebraic fields, 1/2 of intensities and
+// rays.
 double surface_level(Kind kind);
 const char* name_of(Kind kind);
 
-// `level`: instead of surface_level(). `parameters`: of the field's parameter slots. InputError as evaluation_csv().
+// `level`: instead of surface_level(). `parameters`: of the field's parameter slots. InputError as
+// evaluation_csv().
 std::unique_ptr<SceneField> scene_field(const SceneDescription& scene, FieldScalar scalar,
                                         const std::vector<double>& parameters = {},
                                         std::optional<double> level = std::nullopt);

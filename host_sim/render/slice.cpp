@@ -15,7 +15,7 @@ constexpr double pixels_a_sample = 1.25;
 constexpr double pixels_a_slope = 34.0;
 constexpr int greatest_line_count = 200;  // each side of the surface
 
-constexpr double Vector3d::* coordinates[] = {&Vector3d::x, &Vector3d::y, &Vector3d::z};
+constexpr double Vector3d::*coordinates[] = {&Vector3d::x, &Vector3d::y, &Vector3d::z};
 constexpr const char* names[] = {"x", "y", "z"};
 
 double clamped_share(const std::vector<double>& values, double share) {
@@ -24,7 +24,8 @@ double clamped_share(const std::vector<double>& values, double share) {
     if (std::isfinite(value)) sorted.push_back(std::abs(value));
   }
   if (sorted.empty()) return 0.0;
-  const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+  const auto at =
+      sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
   std::nth_element(sorted.begin(), at, sorted.end());
   return *at;
 }
@@ -69,7 +70,8 @@ Plane plane_through(const Vector3d& origin, const Vector3d& normal) {
 
 void frame_surface(const std::optional<Box3>& surface, SliceSettings& settings) {
   const Box3 box = surface.value_or(Box3{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}});
-  double least_u = std::numeric_limits<double>::max(), greatest_u = -least_u, least_v = least_u, greatest_v = -least_u;
+  double least_u = std::numeric_limits<double>::max(), greatest_u = -least_u, least_v = least_u,
+         greatest_v = -least_u;
   for (unsigned i = 0; i < 8; ++i) {
     const Vector3d corner{(i & 1U) != 0 ? box.high.x : box.low.x, (i & 2U) != 0 ? box.high.y : box.low.y,
                           (i & 4U) != 0 ? box.high.z : box.low.z};
@@ -83,7 +85,8 @@ void frame_surface(const std::optional<Box3>& surface, SliceSettings& settings) 
   const draw::Rectangle frame = draw::slice_frame(settings.width, settings.height);
   settings.middle_u = 0.5 * (least_u + greatest_u);
   settings.middle_v = 0.5 * (least_v + greatest_v);
-  settings.width_metres = 1.5 * std::max(greatest_u - least_u, (greatest_v - least_v) * frame.width / frame.height);
+  settings.width_metres =
+      1.5 * std::max(greatest_u - least_u, (greatest_v - least_v) * frame.width / frame.height);
 }
 
 draw::SlicePicture slice_of(const SceneField& field, const SliceSettings& settings, const std::string& title,
@@ -97,7 +100,8 @@ draw::SlicePicture slice_of(const SceneField& field, const SliceSettings& settin
   picture.axis_v = plane.name_v + " (m)";
   const draw::Rectangle frame = draw::slice_frame(settings.width, settings.height);
   const double half_u = 0.5 * settings.width_metres, half_v = half_u * frame.height / frame.width;
-  picture.window = {settings.middle_u - half_u, settings.middle_u + half_u, settings.middle_v - half_v, settings.middle_v + half_v};
+  picture.window = {settings.middle_u - half_u, settings.middle_u + half_u, settings.middle_v - half_v,
+                    settings.middle_v + half_v};
 
   draw::SampledGrid& grid = picture.field;
   grid.origin = {picture.window.left, picture.window.bottom};
@@ -106,15 +110,16 @@ draw::SlicePicture slice_of(const SceneField& field, const SliceSettings& settin
   grid.step_x = 2.0 * half_u / static_cast<double>(grid.columns - 1);
   grid.step_y = 2.0 * half_v / static_cast<double>(grid.rows - 1);
   grid.values.assign(grid.columns * grid.rows, std::numeric_limits<double>::quiet_NaN());
-  for_each_row(grid.rows, settings.threads,
-               [&](std::size_t row) {
-                 for (std::size_t column = 0; column < grid.columns; ++column) {
-                   const draw::Point at = grid.position(column, row);
-                   const Vector3d p = plane.at(at.x, at.y);
-                   if (field.in_domain(p)) grid.values[row * grid.columns + column] = field.outward(p);
-                 }
-               },
-               report);
+  for_each_row(
+      grid.rows, settings.threads,
+      [&](std::size_t row) {
+        for (std::size_t column = 0; column < grid.columns; ++column) {
+          const draw::Point at = grid.position(column, row);
+          const Vector3d p = plane.at(at.x, at.y);
+          if (field.in_domain(p)) grid.values[row * grid.columns + column] = field.outward(p);
+        }
+      },
+      report);
 
   // Most of the plane, not the least and greatest values: algebraic ones may be very large in a corner.
   const double most = clamped_share(grid.values, 0.9);
@@ -126,7 +131,8 @@ draw::SlicePicture slice_of(const SceneField& field, const SliceSettings& settin
     greatest = std::max(greatest, f);
   }
   const auto lines_to = [&](double f) {
-    return static_cast<int>(std::min<double>(settings.spacing ? greatest_line_count : 2 * settings.levels, f / picture.spacing));
+    return static_cast<int>(
+        std::min<double>(settings.spacing ? greatest_line_count : 2 * settings.levels, f / picture.spacing));
   };
   picture.outer_count = lines_to(greatest);
   picture.inner_count = lines_to(-least);

@@ -20,8 +20,8 @@ struct Plane {
 };
 // The plane x, y or z (`axis` 0, 1, 2) = value; u and v are the two other coordinates in the order x, y, z.
 Plane coordinate_plane(unsigned axis, double value);
-// The plane through a point, seen from where the normal (not 0) points to, with z upwards, or y where it is along z. The point has
-// the coordinates 0, 0.
+// The plane through a point, seen from where the normal (not 0) points to, with z upwards, or y where it is
+// along z. The point has the coordinates 0, 0.
 Plane plane_through(const Vector3d& origin, const Vector3d& normal);
 
 struct SliceSettings {
@@ -29,16 +29,16 @@ struct SliceSettings {
   Plane plane;
   double middle_u = 0.0, middle_v = 0.0;  // m, of the frame
   double width_metres = 1.0;              // of the frame
-  std::optional<double> spacing;          // of contours and layers, in units of the value; default: by the field
-  int levels = 10;                        // contours outside, and at most inside; the default spacing makes so many
-  bool layers = false;                    // by `bands`, or even ones
+  std::optional<double> spacing;  // of contours and layers, in units of the value; default: by the field
+  int levels = 10;                // contours outside, and at most inside; the default spacing makes so many
+  bool layers = false;            // by `bands`, or even ones
   Bands bands;
   bool slopes = false;
   unsigned threads = 0;
 };
 
-// The middle and the width with which a plane shows all of a surface within `surface`; 1 m about the origin where it does not
-// meet the plane.
+// The middle and the width with which a plane shows all of a surface within `surface`; 1 m about the origin
+// where it does not meet the plane.
 void frame_surface(const std::optional<Box3>& surface, SliceSettings& settings);
 
 // `title` is the picture's; its note tells kind, plane and spacing.

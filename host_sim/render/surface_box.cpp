@@ -12,12 +12,14 @@ constexpr int search_depth = 7, search_depth_uncertified = 6;
 // The same of the search for where the surface ends.
 constexpr int last_depth = 9, last_depth_uncertified = 7;
 
-Vector3d least(const Vector3d& a, const Vector3d& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+Vector3d least(const Vector3d& a, const Vector3d& b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
 Vector3d greatest(const Vector3d& a, const Vector3d& b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
-constexpr double Vector3d::* coordinates[] = {&Vector3d::x, &Vector3d::y, &Vector3d::z};
+constexpr double Vector3d::*coordinates[] = {&Vector3d::x, &Vector3d::y, &Vector3d::z};
 
 double longest_edge(const Box3& box) { return std::max({box.size().x, box.size().y, box.size().z}); }
 
@@ -35,13 +37,16 @@ class Search {
     const double slope = length(answer.gradient), distance = std::abs(answer.outward);
     if (depth == 0) {
       const double reach = slope * radius;
-      if (distance <= reach || (distance <= 3.0 * reach && changes_sign(cell, answer.outward < 0.0))) add(cell);
+      if (distance <= reach || (distance <= 3.0 * reach && changes_sign(cell, answer.outward < 0.0)))
+        add(cell);
       return;
     }
     // Certified fields need no guess; of others the coarse cells are all looked into.
     if (!field_.certified() && depth < coarse_) {
       const bool fine = depth < coarse_ - 2;  // small enough for the field to be nearly linear in it
-      if (distance > (fine ? 1.5 : 3.0) * slope * radius && (fine || !changes_sign(cell, answer.outward < 0.0))) return;
+      if (distance > (fine ? 1.5 : 3.0) * slope * radius &&
+          (fine || !changes_sign(cell, answer.outward < 0.0)))
+        return;
     }
     // Only long edges, so that cells become cubes.
     const double longest = longest_edge(cell);
@@ -49,7 +54,7 @@ class Search {
       Box3 child = cell;
       bool exists = true;
       for (unsigned axis = 0; axis < 3; ++axis) {
-        double Vector3d::* const x = coordinates[axis];
+        double Vector3d::*const x = coordinates[axis];
         const bool upper = (part >> axis & 1U) != 0, split = cell.high.*x - cell.low.*x > 0.6 * longest;
         exists = exists && (split || !upper);
         Vector3d& side = upper ? child.low : child.high;
@@ -64,7 +69,8 @@ class Search {
  private:
   bool changes_sign(const Box3& cell, bool inside) const {
     for (unsigned i = 0; i < 8; ++i) {
-      const Vector3d corner{(i & 1U) != 0 ? cell.high.x : cell.low.x, (i & 2U) != 0 ? cell.high.y : cell.low.y,
+      const Vector3d corner{(i & 1U) != 0 ? cell.high.x : cell.low.x,
+                            (i & 2U) != 0 ? cell.high.y : cell.low.y,
                             (i & 4U) != 0 ? cell.high.z : cell.low.z};
       if (field_.inside(corner) != inside) return true;
     }
@@ -112,7 +118,8 @@ std::optional<Box3> surface_box(const SceneField& field, const Box3& search) {
     cell = longest_edge(within) / (1 << depth);
     within = intersection(grown(*found, longest_edge(*found) / 64.0), search);
   }
-  // The surface reaches to within two of the cells that were found; what lies nearer to the middle needs no second look.
+  // The surface reaches to within two of the cells that were found; what lies nearer to the middle needs no
+  // second look.
   Search last(field, certified ? last_depth : last_depth_uncertified);
   last.start_from(shrunk(*found, 2.0 * cell));
   last.look(within, certified ? last_depth : last_depth_uncertified);

@@ -20,7 +20,9 @@ class Mesher {
   Mesher(const SceneField& field, const MeshSettings& settings) : field_(field), settings_(settings) {
     const Vector3d size = settings.box.size();
     step_ = std::max({size.x, size.y, size.z}) / static_cast<double>(settings.resolution);
-    const auto cells = [this](double edge) { return static_cast<std::size_t>(std::max(1.0, std::ceil(edge / step_ - 1e-6))); };
+    const auto cells = [this](double edge) {
+      return static_cast<std::size_t>(std::max(1.0, std::ceil(edge / step_ - 1e-6)));
+    };
     cells_ = {cells(size.x), cells(size.y), cells(size.z)};
     // The last layer ends with the box.
     inside_.assign((cells_[0] + 1) * (cells_[1] + 1) * (cells_[2] + 1), 0);
@@ -29,7 +31,9 @@ class Mesher {
   Meshing mesh(const ReportProgress& report) {
     Meshing result;
     result.cells = cells_[0] * cells_[1] * cells_[2];
-    result.passed_over = sample([&](double done) { if (report) report(0.7 * done); });
+    result.passed_over = sample([&](double done) {
+      if (report) report(0.7 * done);
+    });
     if (touches_border()) {
       if (!settings_.close) {
         result.leaves_box = true;
@@ -46,7 +50,9 @@ class Mesher {
                      result.mesh.vertices[i] = vertex_on(crossings_[i]);
                    }
                  },
-                 [&](double done) { if (report) report(0.7 + 0.3 * done); });
+                 [&](double done) {
+                   if (report) report(0.7 + 0.3 * done);
+                 });
     add_triangles(result.mesh);
     return result;
   }
@@ -63,7 +69,9 @@ class Mesher {
   }
   std::array<std::size_t, 3> strides() const { return {1, cells_[0] + 1, (cells_[0] + 1) * (cells_[1] + 1)}; }
   Vector3d corner(std::size_t x, std::size_t y, std::size_t z) const {
-    const auto at = [this](std::size_t i, double low, double high) { return std::min(low + static_cast<double>(i) * step_, high); };
+    const auto at = [this](std::size_t i, double low, double high) {
+      return std::min(low + static_cast<double>(i) * step_, high);
+    };
     const Box3& box = settings_.box;
     return {at(x, box.low.x, box.high.x), at(y, box.low.y, box.high.y), at(z, box.low.z, box.high.z)};
   }
@@ -72,18 +80,20 @@ class Mesher {
     return corner(i % by[1], i / by[1] % (cells_[1] + 1), i / by[2]);
   }
 
-  // Signs at all corners, layers of blocks at a time; what a block's ball is proved to hold all of needs no evaluation.
-  // Returns how many cells were passed over.
+  // Signs at all corners, layers of blocks at a time; what a block's ball is proved to hold all of needs no
+  // evaluation. Returns how many cells were passed over.
   std::size_t sample(const ReportProgress& report) {
     const std::size_t layers = (cells_[2] + block) / block;
     std::vector<std::size_t> passed(layers, 0);
-    for_each_row(layers, settings_.threads,
-                 [&](std::size_t layer) {
-                   for (std::size_t y = 0; y <= cells_[1]; y += block) {
-                     for (std::size_t x = 0; x <= cells_[0]; x += block) passed[layer] += sample_block(x, y, layer * block);
-                   }
-                 },
-                 report);
+    for_each_row(
+        layers, settings_.threads,
+        [&](std::size_t layer) {
+          for (std::size_t y = 0; y <= cells_[1]; y += block) {
+            for (std::size_t x = 0; x <= cells_[0]; x += block)
+              passed[layer] += sample_block(x, y, layer * block);
+          }
+        },
+        report);
     std::size_t sum = 0;
     for (const std::size_t one : passed) sum += one;
     return std::min(sum, cells_[0] * cells_[1] * cells_[2]);
@@ -164,11 +174,13 @@ class Mesher {
             return at + (i & 1U) * by[0] + (i >> 1 & 1U) * by[1] + (i >> 2 & 1U) * by[2];
           };
           std::uint8_t inside = 0;
-          for (unsigned i = 0; i < 8; ++i) inside = static_cast<std::uint8_t>(inside | (is_inside(corner_index(i)) ? 1U << i : 0U));
+          for (unsigned i = 0; i < 8; ++i)
+            inside = static_cast<std::uint8_t>(inside | (is_inside(corner_index(i)) ? 1U << i : 0U));
           if (inside == 0 || inside == 255) continue;
           for (const CellPolygon& polygon : cell_polygons(inside)) {
             std::vector<std::uint32_t> vertices;
-            for (const unsigned edge : polygon) vertices.push_back(vertex_of_.at(3 * corner_index(cell_edge(edge).from) + edge / 4));
+            for (const unsigned edge : polygon)
+              vertices.push_back(vertex_of_.at(3 * corner_index(cell_edge(edge).from) + edge / 4));
             triangulate(polygon, vertices, mesh);
           }
         }
@@ -176,9 +188,10 @@ class Mesher {
     }
   }
 
-  // The triangles of least area altogether, none of whose inner edges lies in a face of the cell: there a neighbour might have the
-  // same edge. Without such a triangulation, one about a vertex more.
-  void triangulate(const CellPolygon& polygon, const std::vector<std::uint32_t>& vertices, SurfaceMesh& mesh) const {
+  // The triangles of least area altogether, none of whose inner edges lies in a face of the cell: there a
+  // neighbour might have the same edge. Without such a triangulation, one about a vertex more.
+  void triangulate(const CellPolygon& polygon, const std::vector<std::uint32_t>& vertices,
+                   SurfaceMesh& mesh) const {
     const std::size_t n = polygon.size();
     constexpr double forbidden = std::numeric_limits<double>::infinity();
     std::array<std::array<double, 12>, 12> least{};
@@ -205,7 +218,8 @@ class Mesher {
       return;
     }
     const std::uint32_t middle = add_middle(vertices, mesh);
-    for (std::size_t i = 0; i < n; ++i) mesh.triangles.push_back({middle, vertices[i], vertices[(i + 1) % n]});
+    for (std::size_t i = 0; i < n; ++i)
+      mesh.triangles.push_back({middle, vertices[i], vertices[(i + 1) % n]});
   }
   static void add_from(std::size_t i, std::size_t j, const std::array<std::array<std::size_t, 12>, 12>& apex,
                        const std::vector<std::uint32_t>& vertices, SurfaceMesh& mesh) {
@@ -219,10 +233,12 @@ class Mesher {
     const Vector3d& p = mesh.vertices[a].position;
     return length(cross(mesh.vertices[b].position - p, mesh.vertices[c].position - p));
   }
-  // The mean of a polygon's vertices, moved along the field's gradient onto the surface where that is within a cell.
+  // The mean of a polygon's vertices, moved along the field's gradient onto the surface where that is within
+  // a cell.
   std::uint32_t add_middle(const std::vector<std::uint32_t>& vertices, SurfaceMesh& mesh) const {
     Vector3d mean;
-    for (const std::uint32_t v : vertices) mean = mean + 1.0 / static_cast<double>(vertices.size()) * mesh.vertices[v].position;
+    for (const std::uint32_t v : vertices)
+      mean = mean + 1.0 / static_cast<double>(vertices.size()) * mesh.vertices[v].position;
     const Vector3d along = surface_normal(field_, mean, 0.01 * step_);
     Vector3d inner = mean - step_ * along, outer = mean + step_ * along;
     if (field_.in_domain(inner) && field_.in_domain(outer) && field_.inside(inner) && !field_.inside(outer)) {

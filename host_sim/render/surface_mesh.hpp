@@ -33,10 +33,10 @@ struct Meshing {
   std::size_t passed_over = 0, cells = 0;  // of all cells, those that were proved to hold no surface
 };
 
-// Marching cubes, whose polygons follow from the faces of each cell alone: every edge belongs to two triangles, once in each
-// direction. Vertices lie on edges of the cells where the sign changes, to within the rounding of the scalar, but for
-// those on faces of the box where it closes the surface.
-// What is smaller than a cell may be missed. The same settings give the same mesh, whatever the number of threads.
+// Marching cubes, whose polygons follow from the faces of each cell alone: every edge belongs to two
+// triangles, once in each direction. Vertices lie on edges of the cells where the sign changes, to within the
+// rounding of the scalar, but for those on faces of the box where it closes the surface. What is smaller than
+// a cell may be missed. The same settings give the same mesh, whatever the number of threads.
 Meshing mesh_of(const SceneField& field, const MeshSettings& settings, const ReportProgress& report = {});
 
 }  // namespace nearfield::host

@@ -30,7 +30,8 @@ View::View(const Camera& camera, std::size_t width, std::size_t height)
 }
 
 Ray View::ray(double x, double y) const {
-  return {from_, normalised(forward_ + pixel_angle_ * (x - half_width_) * right_ + pixel_angle_ * (half_height_ - y) * up_)};
+  return {from_, normalised(forward_ + pixel_angle_ * (x - half_width_) * right_ +
+                            pixel_angle_ * (half_height_ - y) * up_)};
 }
 
 Camera camera_framing(const Box3& box, double field_of_view, std::size_t width, std::size_t height) {
@@ -47,7 +48,8 @@ Camera camera_framing(const Box3& box, double field_of_view, std::size_t width, 
                           (i & 4U) != 0 ? box.high.z : box.low.z};
     const Vector3d off = corner - middle;
     const double nearer = dot(off, back);
-    distance = std::max({distance, nearer + std::abs(dot(off, view.right())) / across, nearer + std::abs(dot(off, up)) / upwards});
+    distance = std::max({distance, nearer + std::abs(dot(off, view.right())) / across,
+                         nearer + std::abs(dot(off, up)) / upwards});
   }
   return {middle + distance * back, middle, field_of_view};
 }

@@ -47,7 +47,8 @@ Placement RestingLinks::placement_of(const FieldNode& node, const std::string& l
   }
   const auto placement = robot.placement_of(of_person ? link.substr(prefix.size()) : link);
   if (!placement) {
-    fail(node, "no link " + in_quotes(link), std::string(of_person ? "person/ and one of " : "one of ") + robot.link_names());
+    fail(node, "no link " + in_quotes(link),
+         std::string(of_person ? "person/ and one of " : "one of ") + robot.link_names());
   }
   return *placement;
 }

@@ -32,8 +32,8 @@ class RestingRobot {
   std::vector<Placement> placements_;
 };
 
-// Where a link of the scene's arm or person (`person/LINK`) lies at rest. InputError at the node's `link` for a robot
-// or link that the scene does not have.
+// Where a link of the scene's arm or person (`person/LINK`) lies at rest. InputError at the node's `link` for
+// a robot or link that the scene does not have.
 class RestingLinks {
  public:
   explicit RestingLinks(const SceneDescription& scene);
@@ -57,7 +57,8 @@ class RestingSlots {
     if (known != numbers_.end()) return known->second;
     const auto number = static_cast<std::uint32_t>(poses_.size());
     if (number == kSlotLimit) {
-      links_.fail(node, "the field names too many links", "at most " + std::to_string(kSlotLimit) + " are allowed");
+      links_.fail(node, "the field names too many links",
+                  "at most " + std::to_string(kSlotLimit) + " are allowed");
     }
     poses_.push_back(quantise<S>(links_.placement_of(node, link)));
     if (!valid_pose(poses_.back()))
@@ -72,8 +73,9 @@ class RestingSlots {
   std::vector<nearfield::Pose<S>> poses_;
 };
 
-// A scene's field in a scalar, its links at rest. InputError when it does not fit the scalar, takes more parameters than
-// are given, or names links that the scene does not have. Several threads may evaluate it at once.
+// A scene's field in a scalar, its links at rest. InputError when it does not fit the scalar, takes more
+// parameters than are given, or names links that the scene does not have. Several threads may evaluate it at
+// once.
 template <class S>
 class FieldAtRest {
  public:
@@ -95,7 +97,9 @@ class FieldAtRest {
   FieldAtRest(const FieldAtRest&) = delete;
   FieldAtRest& operator=(const FieldAtRest&) = delete;
 
-  Sample<S> at(const nearfield::Vector3<S>& p) const { return program.template evaluate<Sample<S>>(p, slots); }
+  Sample<S> at(const nearfield::Vector3<S>& p) const {
+    return program.template evaluate<Sample<S>>(p, slots);
+  }
 
   Program<S> program;
   nearfield::Slots<S> slots;

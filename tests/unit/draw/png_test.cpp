@@ -51,9 +51,11 @@ unsigned fixed_symbol(BitReader& reader) {
 std::string inflated(const std::string& zlib) {
   constexpr unsigned length_base[] = {3,  4,  5,  6,  7,  8,  9,  10, 11,  13,  15,  17,  19,  23, 27,
                                       31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258};
-  constexpr unsigned length_bits[] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0};
-  constexpr unsigned distance_base[] = {1,   2,   3,   4,   5,   7,    9,    13,   17,   25,   33,   49,   65,    97,    129,
-                                        193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577};
+  constexpr unsigned length_bits[] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2,
+                                      2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0};
+  constexpr unsigned distance_base[] = {1,    2,    3,    4,    5,    7,    9,    13,    17,    25,
+                                        33,   49,   65,   97,   129,  193,  257,  385,   513,   769,
+                                        1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577};
   if (zlib.size() < 6 || zlib[0] != '\x78' || (0x7800 + static_cast<unsigned char>(zlib[1])) % 31 != 0) {
     throw std::runtime_error("no zlib header");
   }
@@ -116,8 +118,8 @@ RgbImage decoded(const std::string& file) {
       const int a = at(3, 0), b = at(0, 1), c = at(3, 1), p = a + b - c;
       const int pa = std::abs(p - a), pb = std::abs(p - b), pc = std::abs(p - c);
       const int predicted[] = {0, a, b, (a + b) / 2, pa <= pb && pa <= pc ? a : pb <= pc ? b : c};
-      image.bytes[y * stride + i] =
-          static_cast<std::uint8_t>(static_cast<unsigned char>(text[y * (stride + 1) + 1 + i]) + predicted[filter]);
+      image.bytes[y * stride + i] = static_cast<std::uint8_t>(
+          static_cast<unsigned char>(text[y * (stride + 1) + 1 + i]) + predicted[filter]);
     }
   }
   return image;
@@ -161,11 +163,13 @@ TEST(Png, StreamsOfEveryLengthAndDistance) {
 TEST(Png, ImagesComeBack) {
   std::mt19937 random(6);
   SCOPED_TRACE("seed 6");
-  for (const auto& [width, height] : {std::pair<std::size_t, std::size_t>{1, 1}, {1, 7}, {7, 1}, {33, 20}, {128, 64}}) {
+  for (const auto& [width, height] :
+       {std::pair<std::size_t, std::size_t>{1, 1}, {1, 7}, {7, 1}, {33, 20}, {128, 64}}) {
     RgbImage noise{width, height, {}}, slope{width, height, {}}, plain{width, height, {}};
     for (std::size_t i = 0; i < 3 * width * height; ++i) {
       noise.bytes.push_back(static_cast<std::uint8_t>(random() & 0xFFU));
-      slope.bytes.push_back(static_cast<std::uint8_t>((i / 3 % width + 2 * (i / 3 / width) + 40 * (i % 3)) & 0xFFU));
+      slope.bytes.push_back(
+          static_cast<std::uint8_t>((i / 3 % width + 2 * (i / 3 / width) + 40 * (i % 3)) & 0xFFU));
       plain.bytes.push_back(200);
     }
     expect_same(noise);

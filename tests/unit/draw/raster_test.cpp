@@ -33,7 +33,8 @@ TEST(Raster, AreasCoverWhatTheyShould) {
 
 TEST(Raster, HolesAndOverlapsByTheEvenOddRule) {
   RasterDocument document(20, 20);
-  document.path({Polyline{{{2, 2}, {18, 2}, {18, 18}, {2, 18}}, true}, Polyline{{{6, 6}, {6, 14}, {14, 14}, {14, 6}}, true}},
+  document.path({Polyline{{{2, 2}, {18, 2}, {18, 18}, {2, 18}}, true},
+                 Polyline{{{6, 6}, {6, 14}, {14, 14}, {14, 6}}, true}},
                 filled("#000000"));
   EXPECT_NEAR(ink(document), 256.0 - 64.0, 0.2);
   EXPECT_EQ(red_at(document, 10, 10), 255);

@@ -1,4 +1,5 @@
-// Fields as pictures see them: what is proved to be free is, rays do not jump over thin walls, boxes hold surfaces.
+// Fields as pictures see them: what is proved to be free is, rays do not jump over thin walls, boxes hold
+// surfaces.
 #include "render/ray_stepping.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ double distance_to_segment(const Vector3d& p, const Vector3d& a, const Vector3d&
 TEST(SceneField, LevelsAndSides) {
   EXPECT_TRUE(field_of_text(ball_text)->inside({0.4, 0.0, 0.0}));
   EXPECT_FALSE(field_of_text(ball_text)->inside({0.6, 0.0, 0.0}));
-  const auto soft = field_of_text(soft_text), ray = field_of_text(ray_text), torus = field_of_text(torus_text);
+  const auto soft = field_of_text(soft_text), ray = field_of_text(ray_text),
+             torus = field_of_text(torus_text);
   EXPECT_EQ(soft->level(), 0.5);
   EXPECT_EQ(ray->level(), 0.5);
   EXPECT_EQ(torus->level(), 0.0);
@@ -62,7 +64,8 @@ TEST(SceneField, FreeBallsHaveOneSign) {
 }
 
 TEST(SceneField, ClearanceOfABallIsNearlyAllOfIt) {
-  const auto ball = field_of_text(ball_text), soft = field_of_text(R"({"type": "soft_point", "influence_radius": 0.6})");
+  const auto ball = field_of_text(ball_text),
+             soft = field_of_text(R"({"type": "soft_point", "influence_radius": 0.6})");
   EXPECT_NEAR(ball->free_radius({1.5, 0.0, 0.0}, 1.0), 1.0, 1e-6);
   // The default potential is 1/2 at half of the influence radius.
   EXPECT_GT(soft->free_radius({2.3, 0.0, 0.0}, 1.9), 1.89);
@@ -78,7 +81,8 @@ TEST(RayStepping, NeverJumpsOverAThinPlate) {
   SCOPED_TRACE("seed 18");
   std::uniform_real_distribution<double> uniform(-0.9, 0.9);
   for (int i = 0; i < 3000; ++i) {
-    const Vector3d from{uniform(random), -1.0 - uniform(random), uniform(random)}, at{uniform(random), 0.0, uniform(random)};
+    const Vector3d from{uniform(random), -1.0 - uniform(random), uniform(random)},
+        at{uniform(random), 0.0, uniform(random)};
     const Ray ray{from, 1.0 / length(at - from) * (at - from)};
     const RayHit hit = first_hit(*plate, ray, stretch_within(ray, domain_box(*plate)), settings);
     ASSERT_TRUE(hit.hit) << i;
@@ -139,24 +143,29 @@ TEST(SurfaceBox, IsAboutTheSurface) {
     std::string text;
     Vector3d low, high;
   };
-  const Known all[] = {
-      {ball_text, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}},
-      {torus_text, {-0.7, -0.7, -0.2}, {0.7, 0.7, 0.2}},
-      {R"({"type": "box", "size": [0.1, 0.001, 0.05], "position": [1, 2, 3]})", {0.95, 1.9995, 2.975}, {1.05, 2.0005, 3.025}},
-      {R"({"type": "soft_point", "influence_radius": 0.6, "position": [0, 0, 1]})", {-0.3, -0.3, 0.7}, {0.3, 0.3, 1.3}}};
+  const Known all[] = {{ball_text, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}},
+                       {torus_text, {-0.7, -0.7, -0.2}, {0.7, 0.7, 0.2}},
+                       {R"({"type": "box", "size": [0.1, 0.001, 0.05], "position": [1, 2, 3]})",
+                        {0.95, 1.9995, 2.975},
+                        {1.05, 2.0005, 3.025}},
+                       {R"({"type": "soft_point", "influence_radius": 0.6, "position": [0, 0, 1]})",
+                        {-0.3, -0.3, 0.7},
+                        {0.3, 0.3, 1.3}}};
   for (const Known& known : all) {
     const auto field = field_of_text(known.text);
     const auto box = surface_box(*field, domain_box(*field));
     ASSERT_TRUE(box) << known.text;
-    const double slack = (field->certified() ? 1.0 / 128.0 : 1.0 / 48.0) * std::max({box->size().x, box->size().y, box->size().z});
-    for (double Vector3d::* x : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
+    const double slack = (field->certified() ? 1.0 / 128.0 : 1.0 / 48.0) *
+                         std::max({box->size().x, box->size().y, box->size().z});
+    for (double Vector3d::*x : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
       EXPECT_LE(box->low.*x, known.low.*x + 1e-9) << known.text;
       EXPECT_GE(box->low.*x, known.low.*x - slack) << known.text;
       EXPECT_GE(box->high.*x, known.high.*x - 1e-9) << known.text;
       EXPECT_LE(box->high.*x, known.high.*x + slack) << known.text;
     }
   }
-  const auto none = field_of_text(R"({"type": "offset", "radius": -1, "operands": [{"type": "sphere", "radius": 0.5}]})");
+  const auto none =
+      field_of_text(R"({"type": "offset", "radius": -1, "operands": [{"type": "sphere", "radius": 0.5}]})");
   EXPECT_FALSE(surface_box(*none, domain_box(*none)));
 }
 
@@ -164,7 +173,8 @@ TEST(SurfaceBox, IsAboutTheSurface) {
 TEST(RayStepping, MeetsSoftAndRaySurfaces) {
   const Vector3d from{-0.2, 0.0, 0.1}, to{0.3, 0.1, 0.0};
   const std::string ends = R"("from": [-0.2, 0, 0.1], "to": [0.3, 0.1, 0], "influence_radius": 0.4})";
-  for (const std::string& text : {R"({"type": "soft_segment", )" + ends, R"({"type": "ray_segment", )" + ends}) {
+  for (const std::string& text :
+       {R"({"type": "soft_segment", )" + ends, R"({"type": "ray_segment", )" + ends}) {
     const auto field = field_of_text(text);
     SteppingSettings settings;
     settings.stepping = stepping_for(*field, 1e-4);

@@ -65,7 +65,8 @@ TEST(Renderer, OutlineOfAnAlgebraicBallIsACircle) {
 }
 
 TEST(Renderer, NormalsAreThoseOfTheSolid) {
-  const auto field = field_of_text(R"({"type": "capsule", "from": [0, 0, 0], "to": [0, 0, 1], "radius": 0.25})");
+  const auto field =
+      field_of_text(R"({"type": "capsule", "from": [0, 0, 0], "to": [0, 0, 1], "radius": 0.25})");
   std::mt19937 random(31);
   SCOPED_TRACE("seed 31");
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -99,8 +100,10 @@ TEST(Renderer, FramesAllOfTheSurface) {
     const draw::RgbImage image = render(*field, settings).image;
     const std::size_t red_count = red_pixels(image);
     EXPECT_GT(red_count, 40U * 30U / 12U) << text;
-    for (std::size_t x = 0; x < image.width; ++x) EXPECT_FALSE(is_red(image, x, 0) || is_red(image, x, 29)) << text;
-    for (std::size_t y = 0; y < image.height; ++y) EXPECT_FALSE(is_red(image, 0, y) || is_red(image, 39, y)) << text;
+    for (std::size_t x = 0; x < image.width; ++x)
+      EXPECT_FALSE(is_red(image, x, 0) || is_red(image, x, 29)) << text;
+    for (std::size_t y = 0; y < image.height; ++y)
+      EXPECT_FALSE(is_red(image, 0, y) || is_red(image, 39, y)) << text;
   }
 }
 
@@ -121,7 +124,8 @@ TEST(Renderer, GroundShowsTheShadow) {
   const auto darkest = [&](const Rendering& rendering) {
     int least = 255;
     for (std::size_t i = 0; i < rendering.image.bytes.size(); i += 3) {
-      if (rendering.image.bytes[i] < rendering.image.bytes[i + 2] + 13) least = std::min<int>(least, rendering.image.bytes[i]);
+      if (rendering.image.bytes[i] < rendering.image.bytes[i + 2] + 13)
+        least = std::min<int>(least, rendering.image.bytes[i]);
     }
     return least;
   };
@@ -164,10 +168,12 @@ TEST(Colour, RoundTrips) {
     const auto colour = colour_of(text);
     ASSERT_TRUE(colour);
     char back[32];
-    std::snprintf(back, sizeof back, "#%02x%02x%02x", srgb_byte(colour->red), srgb_byte(colour->green), srgb_byte(colour->blue));
+    std::snprintf(back, sizeof back, "#%02x%02x%02x", srgb_byte(colour->red), srgb_byte(colour->green),
+                  srgb_byte(colour->blue));
     EXPECT_STRCASEEQ(back, text);
   }
-  for (const char* text : {"", "#12345", "#1234567", "123456#", "#12345g"}) EXPECT_FALSE(colour_of(text)) << text;
+  for (const char* text : {"", "#12345", "#1234567", "123456#", "#12345g"})
+    EXPECT_FALSE(colour_of(text)) << text;
 }
 
 TEST(Bands, AreEven) {

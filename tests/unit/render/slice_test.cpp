@@ -99,7 +99,8 @@ TEST(Slice, LayersOfADistanceAreEquallyWide) {
   settings.layers = true;
   const draw::SlicePicture picture = slice_of(*field, settings, "");
   // Along x from the outside of the ring outwards the shade is greatest every 0.05 m.
-  const std::size_t row = static_cast<std::size_t>(std::lround(-picture.field.origin.y / picture.field.step_y));
+  const std::size_t row =
+      static_cast<std::size_t>(std::lround(-picture.field.origin.y / picture.field.step_y));
   const Bands wave({{1.0, 2.0 * 3.14159265358979323846 / 0.05}});
   std::vector<double> tops;
   for (std::size_t column = 1; column + 1 < picture.field.columns; ++column) {

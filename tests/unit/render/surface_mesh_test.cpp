@@ -1,4 +1,5 @@
-// Meshes: closed, on the surface within the certificate, of the right genus, the same by any number of threads.
+// Meshes: closed, on the surface within the certificate, of the right genus, the same by any number of
+// threads.
 #include "render/surface_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -46,13 +47,16 @@ long expect_closed(const SurfaceMesh& mesh) {
   }
   EXPECT_EQ(faults, 0U);
   EXPECT_EQ(used.size(), mesh.vertices.size());
-  return static_cast<long>(mesh.vertices.size()) - static_cast<long>(edges.size() / 2) + static_cast<long>(mesh.triangles.size());
+  return static_cast<long>(mesh.vertices.size()) - static_cast<long>(edges.size() / 2) +
+         static_cast<long>(mesh.triangles.size());
 }
 
 double volume(const SurfaceMesh& mesh) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
-    sum += dot(mesh.vertices[t[0]].position, cross(mesh.vertices[t[1]].position, mesh.vertices[t[2]].position)) / 6.0;
+    sum +=
+        dot(mesh.vertices[t[0]].position, cross(mesh.vertices[t[1]].position, mesh.vertices[t[2]].position)) /
+        6.0;
   }
   return sum;
 }
@@ -62,7 +66,8 @@ void expect_on_surface(const SceneField& field, const SurfaceMesh& mesh) {
   const double unit = 7.5e-9;  // of q27, m
   const double allowed = field.proof().error + 4.0 * unit * (1.0 + field.proof().rate.value_or(0.0));
   double worst = 0.0;
-  for (const SurfaceMesh::Vertex& vertex : mesh.vertices) worst = std::max(worst, std::abs(field.outward(vertex.position)));
+  for (const SurfaceMesh::Vertex& vertex : mesh.vertices)
+    worst = std::max(worst, std::abs(field.outward(vertex.position)));
   EXPECT_LE(worst, allowed);
 }
 
@@ -78,7 +83,8 @@ TEST(CellPolygons, EveryCrossedEdgeOnce) {
     }
     for (unsigned edge = 0; edge < 12; ++edge) {
       const CellEdge ends = cell_edge(edge);
-      EXPECT_EQ(seen.count(edge) == 1, (inside >> ends.from & 1U) != (inside >> ends.to & 1U)) << inside << " " << edge;
+      EXPECT_EQ(seen.count(edge) == 1, (inside >> ends.from & 1U) != (inside >> ends.to & 1U))
+          << inside << " " << edge;
     }
   }
 }
@@ -102,7 +108,8 @@ TEST(SurfaceMesh, EveryKindIsClosed) {
     long euler;
   };
   const std::string blend = R"({"type": "quadratic_union", "blend_radius": 0.2, "operands": [
-      {"type": "sphere", "radius": 0.3}, {"type": "capsule", "from": [0.2, 0, 0], "to": [0.7, 0.3, 0.2], "radius": 0.15}]})";
+      {"type": "sphere", "radius": 0.3},
+      {"type": "capsule", "from": [0.2, 0, 0], "to": [0.7, 0.3, 0.2], "radius": 0.15}]})";
   for (const Known& known : {Known{blend, 2}, Known{soft_text, 2}, Known{ray_text, 2}, Known{torus_text, 0},
                              Known{R"({"type": "torus", "ring_radius": 0.5, "tube_radius": 0.1})", 0}}) {
     const auto field = field_of_text(known.text);
@@ -116,8 +123,9 @@ TEST(SurfaceMesh, EveryKindIsClosed) {
 // Solid noise at a few cells a wave: cells of every pattern.
 TEST(SurfaceMesh, RoughSurfacesAreClosed) {
   for (int seed = 1; seed <= 2; ++seed) {
-    const auto field = field_of_text(R"({"type": "noise_distance", "amplitude": 0.2, "frequency": 6, "octaves": 2, "seed": )" +
-                                     std::to_string(seed) + R"(, "operands": [{"type": "sphere", "radius": 0.4}]})");
+    const auto field = field_of_text(
+        R"({"type": "noise_distance", "amplitude": 0.2, "frequency": 6, "octaves": 2, "seed": )" +
+        std::to_string(seed) + R"(, "operands": [{"type": "sphere", "radius": 0.4}]})");
     const Meshing meshing = meshed(*field, 18);
     ASSERT_GT(meshing.mesh.triangles.size(), 500U);
     expect_closed(meshing.mesh);
@@ -149,13 +157,16 @@ TEST(SurfaceMesh, SameWithAnyNumberOfThreads) {
 
 TEST(MeshFile, PlyAndObjHoldTheSameNumbers) {
   SurfaceMesh mesh;
-  mesh.vertices = {{{0.1, -2.0, 1e-9}, {0.0, 0.0, 1.0}}, {{1.0, 0.0, 0.0}, {0.0, 0.6, 0.8}}, {{0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}}};
+  mesh.vertices = {{{0.1, -2.0, 1e-9}, {0.0, 0.0, 1.0}},
+                   {{1.0, 0.0, 0.0}, {0.0, 0.6, 0.8}},
+                   {{0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}}};
   mesh.triangles = {{0, 1, 2}};
   EXPECT_EQ(obj_of(mesh, "a\nb"),
             "# a b\nv 0.1 -2 1e-09\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0.6 0.8\nvn 1 0 0\nf 1//1 2//2 3//3\n");
   const std::string ply = ply_of(mesh, "a\nb");
   const std::string header =
-      "ply\nformat binary_little_endian 1.0\ncomment a b\nelement vertex 3\nproperty double x\nproperty double y\n"
+      "ply\nformat binary_little_endian 1.0\ncomment a b\nelement vertex 3\nproperty double x\nproperty "
+      "double y\n"
       "property double z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
       "property list uchar uint vertex_indices\nend_header\n";
   ASSERT_EQ(ply.substr(0, header.size()), header);
