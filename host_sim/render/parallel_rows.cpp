@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -46,8 +47,12 @@ void for_each_row(std::size_t count, unsigned threads, const std::function<void(
   const unsigned wanted = threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
   Rows rows(count, work);
   std::vector<std::thread> others;
-  for (std::size_t i = 1; i < std::min<std::size_t>(wanted, count); ++i) {
-    others.emplace_back([&rows] { rows.take({}); });
+  try {
+    for (std::size_t i = 1; i < std::min<std::size_t>(wanted, count); ++i) {
+      others.emplace_back([&rows] { rows.take({}); });
+    }
+  } catch (const std::system_error&) {
+    // The machine has no more threads to give: those that there are do all the work.
   }
   rows.take(report);
   for (std::thread& other : others) other.join();

@@ -19,7 +19,8 @@ class BitReader {
   explicit BitReader(const std::string& bytes) : bytes_(bytes) {}
   unsigned bit() {
     if (at_ / 8 >= bytes_.size()) throw std::runtime_error("the stream ends early");
-    const unsigned result = static_cast<unsigned char>(bytes_[at_ / 8]) >> at_ % 8 & 1U;
+    const unsigned byte = static_cast<unsigned char>(bytes_[at_ / 8]);
+    const unsigned result = byte >> at_ % 8 & 1U;
     ++at_;
     return result;
   }
