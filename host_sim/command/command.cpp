@@ -22,6 +22,7 @@ const std::vector<Verb>& verbs() {
       {"check", run_check, "clearances of a robot in the starts and goals of planning problems"},
       {"bake", run_bake, "write a work cell as C++ source for a target's flash"},
       {"curve", run_curve, "step and potential curves beside their tables: values, errors, pictures"},
+      {"budget", run_budget, "worst-case instructions of a scene's field on each target"},
       {"eval", run_eval, "value, gradient and clearance of a scene's field at points"},
       {"render", run_render, "a picture of a scene's field in three dimensions"},
       {"slice", run_slice, "contours, bands and gradients of a scene's field in a plane"},

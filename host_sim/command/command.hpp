@@ -11,6 +11,7 @@ int run_sim(const std::vector<std::string>& arguments);
 int run_check(const std::vector<std::string>& arguments);
 int run_bake(const std::vector<std::string>& arguments);
 int run_curve(const std::vector<std::string>& arguments);
+int run_budget(const std::vector<std::string>& arguments);
 int run_eval(const std::vector<std::string>& arguments);
 int run_render(const std::vector<std::string>& arguments);
 int run_slice(const std::vector<std::string>& arguments);

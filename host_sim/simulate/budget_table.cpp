@@ -1,0 +1,50 @@
+#include "simulate/budget_table.hpp"
+
+#include <algorithm>
+
+#include <nearfield/query/soft_clearance.hpp>
+
+#include "simulate/field_at_rest.hpp"
+
+namespace nearfield::host {
+namespace {
+
+struct NamedTarget {
+  const char* name;
+  const Target& target;
+};
+const NamedTarget all_targets[] = {
+#define NEARFIELD_NAMED_TARGET(name) {#name, target::name},
+    NEARFIELD_TARGETS(NEARFIELD_NAMED_TARGET)
+#undef NEARFIELD_NAMED_TARGET
+};
+
+std::string right_aligned(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+}  // namespace
+
+std::string budget_table(const SceneDescription& scene) {
+  using S = Fixed<27>;
+  RestingSlots<S> links(scene);
+  const CompiledField<S> compiled = compile_field<S>(
+      scene.field, scene.file,
+      [&links](const FieldNode& node, const std::string& link) { return links.slot_of(node, link); });
+  const Program<S> program(compiled.image.data(), compiled.inspection);
+  const bool soft = program.has_highest();
+  std::string text = "target         value  gradient";
+  text += soft ? "  soft clearance\n" : "\n";
+  for (const NamedTarget& each : all_targets) {
+    const Budget budget = program.budget(each.target);
+    std::string name = each.name;
+    std::replace(name.begin(), name.end(), '_', '-');
+    text += name + std::string(12 - std::min<std::size_t>(12, name.size()), ' ') +
+            right_aligned(std::to_string(budget.value), 8) + right_aligned(std::to_string(budget.gradient), 10);
+    if (soft) text += right_aligned(std::to_string(soft_clearance_budget(program, each.target)), 16);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace nearfield::host
