@@ -4,103 +4,103 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m0(operation, item, part) \
-  operation(sphere, 671, 1057, 673)                         \
-  operation(capsule, 1082, 1461, 1084)                      \
-  operation(box, 726, 1195, 728)                            \
-  operation(cylinder, 1221, 2089, 1223)                     \
-  operation(soft_point, 610, 1312, 1019)                    \
-  operation(soft_segment, 1027, 1726, 1439)                 \
-  operation(sharp_union, 75, 56, 75)                        \
-  operation(sharp_intersection, 75, 55, 75)                 \
-  operation(sharp_subtraction, 79, 67, 76)                  \
-  operation(soft_sum, 78, 65, 77)                           \
+  operation(sphere, 670, 1056, 674)                         \
+  operation(capsule, 1081, 1460, 1083)                      \
+  operation(box, 725, 1194, 728)                            \
+  operation(cylinder, 1220, 2088, 1223)                     \
+  operation(soft_point, 610, 1311, 1019)                    \
+  operation(soft_segment, 1027, 1725, 1439)                 \
+  operation(sharp_union, 75, 55, 75)                        \
+  operation(sharp_intersection, 75, 54, 75)                 \
+  operation(sharp_subtraction, 77, 65, 74)                  \
+  operation(soft_sum, 78, 63, 77)                           \
   operation(additive_union, 323, 470, 320)                  \
   operation(additive_intersection, 323, 471, 320)           \
-  operation(additive_subtraction, 322, 507, 320)            \
-  operation(two_sided_union, 332, 492, 333)                 \
-  operation(two_sided_intersection, 333, 493, 332)          \
-  operation(two_sided_subtraction, 332, 515, 333)           \
-  operation(intensity_union, 75, 55, 74)                    \
-  operation(intensity_intersection, 75, 56, 74)             \
-  operation(ray_union, 75, 56, 75)                          \
-  operation(ray_intersection, 75, 55, 75)                   \
-  operation(potential_of_distance, 338, 877, 424)           \
-  operation(potential_of_ray, 338, 878, 437)                \
-  operation(variable_influence, 662, 1639, 660)             \
-  operation(log_sum_exp_union, 320, 108, 322)               \
-  item(log_sum_exp_union, 264, 733, 262)                    \
-  operation(log_sum_exp_intersection, 320, 106, 322)        \
-  item(log_sum_exp_intersection, 264, 734, 262)             \
-  operation(log_sum_exp_subtraction, 315, 182, 317)         \
-  item(log_sum_exp_subtraction, 268, 642, 266)              \
-  operation(ray_point, 753, 1397, 754)                      \
-  operation(ray_segment, 1173, 1811, 1176)                  \
-  operation(ray_linear_union, 622, 1346, 618)               \
-  operation(ray_linear_intersection, 617, 1303, 615)        \
-  operation(ray_linear_difference, 1032, 1869, 1041)        \
-  operation(ray_plane, 428, 690, 429)                       \
-  operation(algebraic_plane, 328, 462, 330)                 \
-  operation(quadric, 1005, 1104, 1007)                      \
-  operation(algebraic_of_distance, 136, 398, 136)           \
-  operation(algebraic_of_ray, 147, 419, 146)                \
-  operation(hoffmann_hopcroft_union, 563, 1898, 560)        \
-  operation(hoffmann_hopcroft_intersection, 563, 1958, 560) \
-  operation(hoffmann_hopcroft_difference, 577, 1949, 575)   \
-  operation(functional_spline, 445, 1421, 447)              \
-  item(functional_spline, 111, 573, 109)                    \
-  operation(ribbon_patch, 1502, 1832, 1504)                 \
-  item(ribbon_patch, 636, 1449, 634)                        \
-  operation(corner_patch, 1855, 51, 1857)                   \
+  operation(additive_subtraction, 323, 505, 320)            \
+  operation(two_sided_union, 333, 489, 333)                 \
+  operation(two_sided_intersection, 332, 490, 333)          \
+  operation(two_sided_subtraction, 332, 513, 333)           \
+  operation(intensity_union, 75, 54, 74)                    \
+  operation(intensity_intersection, 75, 55, 74)             \
+  operation(ray_union, 75, 55, 75)                          \
+  operation(ray_intersection, 75, 54, 75)                   \
+  operation(potential_of_distance, 338, 878, 424)           \
+  operation(potential_of_ray, 338, 879, 437)                \
+  operation(variable_influence, 662, 1636, 660)             \
+  operation(log_sum_exp_union, 320, 71, 322)                \
+  item(log_sum_exp_union, 264, 756, 262)                    \
+  operation(log_sum_exp_intersection, 320, 71, 322)         \
+  item(log_sum_exp_intersection, 264, 756, 262)             \
+  operation(log_sum_exp_subtraction, 315, 156, 317)         \
+  item(log_sum_exp_subtraction, 268, 657, 266)              \
+  operation(ray_point, 752, 1396, 755)                      \
+  operation(ray_segment, 1173, 1810, 1176)                  \
+  operation(ray_linear_union, 621, 1345, 619)               \
+  operation(ray_linear_intersection, 617, 1301, 615)        \
+  operation(ray_linear_difference, 1032, 1865, 1030)        \
+  operation(ray_plane, 427, 690, 430)                       \
+  operation(algebraic_plane, 328, 456, 330)                 \
+  operation(quadric, 1005, 1103, 1007)                      \
+  operation(algebraic_of_distance, 136, 388, 136)           \
+  operation(algebraic_of_ray, 147, 417, 146)                \
+  operation(hoffmann_hopcroft_union, 563, 1895, 560)        \
+  operation(hoffmann_hopcroft_intersection, 566, 1954, 564) \
+  operation(hoffmann_hopcroft_difference, 580, 1946, 575)   \
+  operation(functional_spline, 445, 1502, 447)              \
+  item(functional_spline, 111, 565, 109)                    \
+  operation(ribbon_patch, 1532, 1827, 1534)                 \
+  item(ribbon_patch, 637, 1450, 635)                        \
+  operation(corner_patch, 1885, 85, 1887)                   \
   item(corner_patch, 852, 2097, 849)                        \
-  operation(algebraic_union, 75, 56, 75)                    \
-  operation(algebraic_intersection, 75, 55, 75)             \
-  operation(tapered_capsule, 1614, 3199, 1617)              \
-  operation(cone_frustum, 1465, 2497, 1467)                 \
+  operation(algebraic_union, 75, 55, 75)                    \
+  operation(algebraic_intersection, 75, 54, 75)             \
+  operation(tapered_capsule, 1614, 3198, 1617)              \
+  operation(cone_frustum, 1465, 2496, 1467)                 \
   operation(torus, 1130, 2065, 1132)                        \
-  operation(disc, 1189, 2235, 1192)                         \
-  operation(half_space, 303, 353, 306)                      \
-  operation(infinite_cylinder, 655, 1039, 657)              \
-  operation(infinite_cone, 1098, 1676, 1098)                \
-  operation(offset, 59, 73, 59)                             \
-  operation(polygon, 897, 1297, 899)                        \
-  item(polygon, 480, 480, 480)                              \
-  operation(polyline, 847, 1303, 849)                       \
-  item(polyline, 602, 601, 602)                             \
-  operation(cubic_curve, 6599, 6996, 6601)                  \
-  item(cubic_curve, 3796, 3800, 3796)                       \
-  operation(bicubic_patch, 5100, 5200, 5100)                \
-  operation(ray_slab, 434, 721, 436)                        \
-  operation(ray_of_distance, 176, 467, 178)                 \
-  operation(ray_sweep, 1738, 2553, 1740)                    \
-  item(ray_sweep, 131, 169, 131)                            \
-  operation(algebraic_torus, 778, 1754, 778)                \
-  operation(noise_intensity, 522, 1323, 224)                \
-  item(noise_intensity, 1026, 1235, 4)                      \
-  operation(noise_distance, 432, 716, 433)                  \
-  item(noise_distance, 1025, 1234, 1025)                    \
-  operation(morph, 227, 557, 225)                           \
-  operation(intensity_morph, 227, 557, 225)                 \
-  operation(ray_morph, 227, 557, 221)                       \
-  operation(swell, 125, 143, 125)                           \
-  operation(fade, 118, 312, 119)                            \
-  operation(scale_along, 516, 1252, 514)                    \
-  operation(scale_about, 1489, 3374, 1490)                  \
-  operation(scale_from_axis, 764, 1930, 764)                \
-  operation(enter_pose, 723, 1356, 1027)                    \
-  operation(enter_slot, 634, 1169, 859)                     \
-  operation(enter_box, 481, 719, 533)                       \
-  part(query, 56, 932, 121)                                 \
+  operation(disc, 1189, 2234, 1192)                         \
+  operation(half_space, 304, 348, 305)                      \
+  operation(infinite_cylinder, 655, 1037, 657)              \
+  operation(infinite_cone, 1099, 1675, 1098)                \
+  operation(offset, 59, 72, 59)                             \
+  operation(polygon, 1058, 1464, 1061)                      \
+  item(polygon, 658, 659, 658)                              \
+  operation(polyline, 599, 1045, 602)                       \
+  item(polyline, 853, 824, 853)                             \
+  operation(cubic_curve, 7593, 7994, 7596)                  \
+  item(cubic_curve, 4570, 4570, 4570)                       \
+  operation(bicubic_patch, 51515, 51893, 51518)             \
+  operation(ray_slab, 434, 722, 436)                        \
+  operation(ray_of_distance, 176, 468, 178)                 \
+  operation(ray_sweep, 1849, 2663, 1851)                    \
+  item(ray_sweep, 138, 176, 138)                            \
+  operation(algebraic_torus, 778, 1753, 780)                \
+  operation(noise_intensity, 522, 1322, 208)                \
+  item(noise_intensity, 945, 1241, 6)                       \
+  operation(noise_distance, 433, 714, 432)                  \
+  item(noise_distance, 944, 1240, 944)                      \
+  operation(morph, 227, 553, 225)                           \
+  operation(intensity_morph, 227, 553, 225)                 \
+  operation(ray_morph, 224, 553, 221)                       \
+  operation(swell, 125, 141, 125)                           \
+  operation(fade, 118, 311, 119)                            \
+  operation(scale_along, 515, 1252, 515)                    \
+  operation(scale_about, 1504, 3375, 1505)                  \
+  operation(scale_from_axis, 765, 1921, 763)                \
+  operation(enter_pose, 720, 1355, 1026)                    \
+  operation(enter_slot, 632, 1168, 857)                     \
+  operation(enter_box, 439, 717, 491)                       \
+  part(query, 56, 930, 121)                                 \
   part(pose_check, 0, 1780, 0)                              \
   part(parameter_check, 0, 10, 0)                           \
   part(c_interface, 0, 723, 0)                              \
   part(c_pose, 0, 30, 0)                                    \
-  part(soft_clearance, 0, 445, 0)                           \
+  part(soft_clearance, 0, 438, 0)                           \
   part(link_poses, 61, 0, 0)                                \
   part(revolute_joint, 5362, 0, 0)                          \
   part(other_joint, 3069, 0, 0)                             \
   part(placed_body, 1143, 0, 0)                             \
-  part(swept_capsule, 1983, 0, 0)                           \
+  part(swept_capsule, 1232, 0, 0)                           \
   part(refinement, 1518, 0, 0)                              \
   part(stretch, 2, 0, 0)                                    \
   part(capsule_pair, 3025, 0, 0)                            \
-  part(tick, 4021, 0, 0)
+  part(tick, 4042, 0, 0)

@@ -4,103 +4,103 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_rv32imac(operation, item, part) \
-  operation(sphere, 221, 337, 221)                         \
-  operation(capsule, 316, 432, 314)                        \
-  operation(box, 260, 407, 259)                            \
-  operation(cylinder, 378, 575, 377)                       \
-  operation(soft_point, 221, 467, 347)                     \
-  operation(soft_segment, 321, 566, 445)                   \
-  operation(sharp_union, 45, 48, 46)                       \
-  operation(sharp_intersection, 45, 47, 46)                \
-  operation(sharp_subtraction, 45, 51, 45)                 \
-  operation(soft_sum, 45, 58, 46)                          \
-  operation(additive_union, 131, 159, 133)                 \
-  operation(additive_intersection, 128, 159, 131)          \
-  operation(additive_subtraction, 129, 167, 132)           \
-  operation(two_sided_union, 135, 163, 135)                \
-  operation(two_sided_intersection, 134, 163, 134)         \
-  operation(two_sided_subtraction, 135, 220, 135)          \
-  operation(intensity_union, 45, 47, 45)                   \
-  operation(intensity_intersection, 45, 48, 44)            \
-  operation(ray_union, 45, 50, 46)                         \
-  operation(ray_intersection, 45, 49, 46)                  \
-  operation(potential_of_distance, 148, 284, 190)          \
-  operation(potential_of_ray, 148, 285, 194)               \
-  operation(variable_influence, 274, 598, 274)             \
-  operation(log_sum_exp_union, 248, 242, 247)              \
-  item(log_sum_exp_union, 78, 263, 79)                     \
-  operation(log_sum_exp_intersection, 248, 242, 247)       \
-  item(log_sum_exp_intersection, 78, 263, 79)              \
-  operation(log_sum_exp_subtraction, 248, 237, 247)        \
-  item(log_sum_exp_subtraction, 80, 266, 81)               \
-  operation(ray_point, 250, 421, 248)                      \
-  operation(ray_segment, 355, 521, 354)                    \
-  operation(ray_linear_union, 233, 386, 235)               \
-  operation(ray_linear_intersection, 233, 379, 235)        \
-  operation(ray_linear_difference, 365, 604, 396)          \
-  operation(ray_plane, 181, 268, 180)                      \
-  operation(algebraic_plane, 126, 214, 125)                \
-  operation(quadric, 316, 466, 315)                        \
-  operation(algebraic_of_distance, 44, 99, 44)             \
-  operation(algebraic_of_ray, 67, 148, 67)                 \
-  operation(hoffmann_hopcroft_union, 230, 667, 231)        \
-  operation(hoffmann_hopcroft_intersection, 249, 687, 250) \
-  operation(hoffmann_hopcroft_difference, 242, 693, 243)   \
-  operation(functional_spline, 214, 491, 213)              \
-  item(functional_spline, 36, 173, 37)                     \
-  operation(ribbon_patch, 668, 1024, 667)                  \
-  item(ribbon_patch, 201, 586, 202)                        \
-  operation(corner_patch, 883, 48, 882)                    \
-  item(corner_patch, 310, 973, 311)                        \
-  operation(algebraic_union, 45, 50, 46)                   \
-  operation(algebraic_intersection, 45, 49, 46)            \
-  operation(tapered_capsule, 381, 744, 381)                \
-  operation(cone_frustum, 422, 627, 421)                   \
-  operation(torus, 343, 569, 342)                          \
-  operation(disc, 348, 589, 347)                           \
-  operation(half_space, 121, 180, 119)                     \
-  operation(infinite_cylinder, 198, 316, 197)              \
-  operation(infinite_cone, 271, 425, 270)                  \
-  operation(offset, 26, 26, 26)                            \
-  operation(polygon, 458, 581, 457)                        \
-  item(polygon, 78, 78, 78)                                \
-  operation(polyline, 475, 584, 474)                       \
-  item(polyline, 92, 108, 92)                              \
-  operation(cubic_curve, 2096, 2218, 2095)                 \
-  item(cubic_curve, 806, 806, 806)                         \
-  operation(bicubic_patch, 5100, 5200, 5100)                \
-  operation(ray_slab, 189, 289, 187)                       \
-  operation(ray_of_distance, 97, 170, 97)                  \
-  operation(ray_sweep, 722, 1033, 721)                     \
+  operation(sphere, 181, 298, 180)                         \
+  operation(capsule, 267, 384, 266)                        \
+  operation(box, 214, 366, 213)                            \
+  operation(cylinder, 335, 537, 334)                       \
+  operation(soft_point, 162, 406, 286)                     \
+  operation(soft_segment, 265, 508, 389)                   \
+  operation(sharp_union, 29, 51, 34)                       \
+  operation(sharp_intersection, 29, 50, 36)                \
+  operation(sharp_subtraction, 31, 55, 34)                 \
+  operation(soft_sum, 31, 71, 33)                          \
+  operation(additive_union, 96, 142, 96)                   \
+  operation(additive_intersection, 97, 142, 100)           \
+  operation(additive_subtraction, 96, 157, 102)            \
+  operation(two_sided_union, 100, 145, 104)                \
+  operation(two_sided_intersection, 100, 145, 101)         \
+  operation(two_sided_subtraction, 100, 203, 105)          \
+  operation(intensity_union, 29, 50, 34)                   \
+  operation(intensity_intersection, 29, 51, 36)            \
+  operation(ray_union, 29, 54, 30)                         \
+  operation(ray_intersection, 29, 53, 31)                  \
+  operation(potential_of_distance, 97, 233, 136)           \
+  operation(potential_of_ray, 97, 236, 147)                \
+  operation(variable_influence, 242, 586, 245)             \
+  operation(log_sum_exp_union, 211, 279, 210)              \
+  item(log_sum_exp_union, 61, 136, 62)                     \
+  operation(log_sum_exp_intersection, 211, 279, 210)       \
+  item(log_sum_exp_intersection, 61, 136, 62)              \
+  operation(log_sum_exp_subtraction, 196, 274, 195)        \
+  item(log_sum_exp_subtraction, 68, 131, 70)               \
+  operation(ray_point, 200, 373, 198)                      \
+  operation(ray_segment, 296, 461, 294)                    \
+  operation(ray_linear_union, 199, 374, 217)               \
+  operation(ray_linear_intersection, 200, 367, 220)        \
+  operation(ray_linear_difference, 342, 569, 343)          \
+  operation(ray_plane, 118, 208, 118)                      \
+  operation(algebraic_plane, 87, 175, 85)                  \
+  operation(quadric, 254, 412, 261)                        \
+  operation(algebraic_of_distance, 36, 92, 34)             \
+  operation(algebraic_of_ray, 49, 133, 50)                 \
+  operation(hoffmann_hopcroft_union, 157, 609, 159)        \
+  operation(hoffmann_hopcroft_intersection, 176, 629, 178) \
+  operation(hoffmann_hopcroft_difference, 168, 636, 167)   \
+  operation(functional_spline, 181, 454, 180)              \
+  item(functional_spline, 28, 126, 28)                     \
+  operation(ribbon_patch, 610, 976, 609)                   \
+  item(ribbon_patch, 193, 512, 193)                        \
+  operation(corner_patch, 823, 2, 822)                     \
+  item(corner_patch, 303, 898, 303)                        \
+  operation(algebraic_union, 31, 54, 30)                   \
+  operation(algebraic_intersection, 31, 53, 36)            \
+  operation(tapered_capsule, 323, 687, 323)                \
+  operation(cone_frustum, 374, 580, 372)                   \
+  operation(torus, 300, 527, 299)                          \
+  operation(disc, 305, 548, 304)                           \
+  operation(half_space, 73, 132, 72)                       \
+  operation(infinite_cylinder, 176, 294, 175)              \
+  operation(infinite_cone, 229, 383, 228)                  \
+  operation(offset, 17, 17, 17)                            \
+  operation(polygon, 216, 330, 215)                        \
+  item(polygon, 77, 77, 77)                                \
+  operation(polyline, 187, 312, 186)                       \
+  item(polyline, 92, 89, 92)                               \
+  operation(cubic_curve, 1805, 1918, 1804)                 \
+  item(cubic_curve, 850, 852, 850)                         \
+  operation(bicubic_patch, 6551, 6657, 6550)               \
+  operation(ray_slab, 128, 229, 127)                       \
+  operation(ray_of_distance, 60, 133, 60)                  \
+  operation(ray_sweep, 665, 976, 663)                      \
   item(ray_sweep, 38, 51, 38)                              \
-  operation(algebraic_torus, 254, 574, 252)                \
-  operation(noise_intensity, 227, 467, 115)                \
-  item(noise_intensity, 178, 286, 3)                       \
-  operation(noise_distance, 202, 296, 202)                 \
+  operation(algebraic_torus, 193, 520, 192)                \
+  operation(noise_intensity, 185, 428, 77)                 \
+  item(noise_intensity, 178, 286, 5)                       \
+  operation(noise_distance, 162, 259, 161)                 \
   item(noise_distance, 178, 286, 178)                      \
-  operation(morph, 74, 121, 75)                            \
-  operation(intensity_morph, 74, 121, 75)                  \
-  operation(ray_morph, 74, 123, 75)                        \
-  operation(swell, 49, 49, 49)                             \
-  operation(fade, 39, 71, 39)                              \
-  operation(scale_along, 193, 399, 193)                    \
-  operation(scale_about, 458, 958, 458)                    \
-  operation(scale_from_axis, 238, 548, 238)                \
-  operation(enter_pose, 278, 498, 412)                     \
-  operation(enter_slot, 198, 323, 252)                     \
-  operation(enter_box, 266, 350, 299)                      \
-  part(query, 70, 287, 83)                                 \
+  operation(morph, 51, 118, 53)                            \
+  operation(intensity_morph, 51, 118, 53)                  \
+  operation(ray_morph, 51, 121, 53)                        \
+  operation(swell, 32, 32, 32)                             \
+  operation(fade, 30, 62, 30)                              \
+  operation(scale_along, 147, 342, 147)                    \
+  operation(scale_about, 410, 909, 411)                    \
+  operation(scale_from_axis, 214, 509, 214)                \
+  operation(enter_pose, 217, 377, 267)                     \
+  operation(enter_slot, 198, 323, 253)                     \
+  operation(enter_box, 194, 262, 219)                      \
+  part(query, 70, 287, 85)                                 \
   part(pose_check, 0, 434, 0)                              \
   part(parameter_check, 0, 6, 0)                           \
-  part(c_interface, 0, 476, 0)                             \
+  part(c_interface, 0, 466, 0)                             \
   part(c_pose, 0, 42, 0)                                   \
   part(soft_clearance, 0, 328, 0)                          \
   part(link_poses, 87, 0, 0)                               \
   part(revolute_joint, 1265, 0, 0)                         \
   part(other_joint, 711, 0, 0)                             \
   part(placed_body, 227, 0, 0)                             \
-  part(swept_capsule, 505, 0, 0)                           \
+  part(swept_capsule, 439, 0, 0)                           \
   part(refinement, 598, 0, 0)                              \
   part(stretch, 2, 0, 0)                                   \
   part(capsule_pair, 633, 0, 0)                            \
-  part(tick, 3089, 0, 0)
+  part(tick, 3084, 0, 0)
