@@ -1,9 +1,11 @@
-// The digest of what is below every field: products, quotients and one table, all of integers. For targets that have
-// no room for more.
+// The digest of what is below every field: products, quotients, roots and one table; and of one field, a ball. For
+// targets where more does not compile.
 #include <board/digests.hpp>
 #include <golden/digests.hpp>
 #include <golden/stream.hpp>
 #include <nearfield/number/ratio.hpp>
+#include <nearfield/number/sqrt.hpp>
+#include <nearfield/shape/sphere.hpp>
 #include <nearfield/table/table.hpp>
 #include <work_cell/digest.hpp>
 
@@ -18,6 +20,8 @@ constexpr uint32_t kCoefficients[32] = {
     0x0c000000, 0xfa000000, 0x03000000, 0xff400000, 0x0a000000, 0xfb000000, 0x02800000, 0xff600000,
     0x08000000, 0xfc000000, 0x02000000, 0xff800000, 0x06000000, 0xfd000000, 0x01800000, 0xffa00000,
     0x04000000, 0xfe000000, 0x01000000, 0xffc00000, 0x02000000, 0xff000000, 0x00800000, 0xffe00000};
+
+S in_domain(golden::Stream& stream) { return S::from_raw(stream.integer_of_bits(30)); }
 
 }  // namespace
 
@@ -38,6 +42,14 @@ int main() {
     const TableSample<S> sample = sample_table<true>(table, a >> 1);
     digest.add(static_cast<uint32_t>(sample.value.raw()));
     digest.add(static_cast<uint32_t>(sample.slope.raw()));
+    digest.add(integer_sqrt(uint64_t{a} << 32 | b));
+    const Sphere<S> ball{{S::from_raw(0x01000000), S{}, S{}}, S::from_raw(0x02000000)};
+    const Vector3<S> p{in_domain(stream), in_domain(stream), in_domain(stream)};
+    const Sample<S> at_p = ball.evaluate<Sample<S>>(p);
+    digest.add(static_cast<uint32_t>(at_p.value.raw()));
+    digest.add(static_cast<uint32_t>(at_p.gradient.x.raw()));
+    digest.add(static_cast<uint32_t>(at_p.gradient.y.raw()));
+    digest.add(static_cast<uint32_t>(at_p.gradient.z.raw()));
   }
   return board::print_digest("kernel", digest.value(), golden::kKernelDigest) ? 0 : 1;
 }
