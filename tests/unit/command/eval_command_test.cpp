@@ -297,8 +297,7 @@ TEST_F(EvalCommand, WrongScenesAreRefused) {
   } const cases[] = {
       {"{}", "s.json:1:1: format: missing"},
       {scene("{\"type\": \"sphere\", \"radius\": 9}"),
-       "s.json:2:30: field.radius: 9 does not fit q27; from "
-       "3.725290298461914e-09 to 4 m"},
+       "s.json:2:30: field.radius: 9 does not fit q27; from 0 to 4 m"},
       {scene("{\"type\": \"soft_sum\", \"operands\": [\n{\"type\": \"sphere\", "
              "\"radius\": 1}]}"),
        "s.json:3:1: field.operands[0]: \"sphere\" yields a distance; an "
