@@ -70,7 +70,7 @@ std::vector<std::string_view> allowed_keys(const OperatorDescription& descriptio
 std::string expectation(const ParameterDescription& parameter) {
   const std::string range = describe(parameter.range);
   if (parameter.most_points > 0) {
-    return "1 to " + std::to_string(parameter.most_points) + " arrays of " + std::to_string(parameter.count) +
+    return std::to_string(parameter.fewest_points) + " to " + std::to_string(parameter.most_points) + " arrays of " + std::to_string(parameter.count) +
            " numbers " + range;
   }
   if (parameter.most > 0) {
@@ -99,7 +99,7 @@ void read_parameters(const JsonNode& node, FieldNode& field) {
       value.fail(in_quotes(parameter.key) + " beside " + in_quotes(other), "one of them, not both");
     }
     if (parameter.most_points > 0) {
-      for (const JsonNode& point : value.elements(1, parameter.most_points)) {
+      for (const JsonNode& point : value.elements(parameter.fewest_points, parameter.most_points)) {
         for (const double number : point.numbers(parameter.count, parameter.range)) values.push_back(number);
       }
     } else if (parameter.most > 0) {

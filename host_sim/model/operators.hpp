@@ -42,7 +42,8 @@ struct ParameterDescription {
   bool whole = false;           // whole numbers only
   std::size_t most = 0;         // above 0: an array of `count` to so many numbers
   bool optional = false;        // without a default: no values when it is missing
-  std::size_t most_points = 0;  // above 0: an array of 1 to so many arrays of `count` numbers
+  std::size_t most_points = 0;  // above 0: an array of `fewest_points` to so many arrays of `count` numbers
+  std::size_t fewest_points = 1;
   std::vector<std::string_view> instead_of = {};  // other parameters, which may not be given as well
   Fit fit = Fit::any;
 };

@@ -15,10 +15,12 @@ namespace nearfield::host::operators {
 inline ParameterDescription optional_radius() {
   return fitting(Fit::number, {"radius", 1, {0.0, 16.0, "m"}, {0.0}});
 }
-// 1 to `most` arrays of `dimensions` coordinates.
-inline ParameterDescription required_points(std::string_view key, std::size_t dimensions, std::size_t most) {
+// `fewest` to `most` arrays of `dimensions` coordinates.
+inline ParameterDescription required_points(std::string_view key, std::size_t dimensions, std::size_t fewest,
+                                            std::size_t most) {
   ParameterDescription points{key, dimensions, position_range};
   points.most_points = most;
+  points.fewest_points = fewest;
   return points;
 }
 
@@ -65,7 +67,7 @@ struct PolylineOperator {
   static constexpr std::size_t most_points = kGreatestSegmentCount + 1;
   static OperatorDescription description() {
     return shape("polyline", FieldKind::distance,
-                 {required_points("points", 3, most_points), optional_radius()},
+                 {required_points("points", 3, 2, most_points), optional_radius()},
                  PlacementParts::position_and_orientation);
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
@@ -82,7 +84,7 @@ struct PolylineOperator {
 struct PolygonOperator {
   static constexpr std::size_t most_vertices = kGreatestVertexCount;
   static OperatorDescription description() {
-    ParameterDescription vertices = fitting(Fit::number, required_points("vertices", 2, most_vertices));
+    ParameterDescription vertices = fitting(Fit::number, required_points("vertices", 2, 3, most_vertices));
     return shape("polygon", FieldKind::distance, {std::move(vertices), optional_radius()},
                  PlacementParts::position_and_orientation);
   }
@@ -124,7 +126,7 @@ struct CubicCurveOperator {
   static constexpr int most_segments = kGreatestCurveSegmentCount;
   static OperatorDescription description() {
     OperatorDescription description = shape("cubic_curve", FieldKind::distance,
-                                            {required_points("control_points", 3, most_points),
+                                            {required_points("control_points", 3, 4, most_points),
                                              optional_radius(),
                                              {"halvings", 1, {0.0, 2.0, {}}, {0.0}, {}, true}},
                                             PlacementParts::position_and_orientation);
@@ -188,7 +190,7 @@ struct BicubicPatchOperator {
   static constexpr std::size_t point_count = BicubicPatch<float>::control_count;
   static OperatorDescription description() {
     return shape("bicubic_patch", FieldKind::distance,
-                 {required_points("control_points", 3, point_count), optional_radius()},
+                 {required_points("control_points", 3, point_count, point_count), optional_radius()},
                  PlacementParts::position_and_orientation);
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {

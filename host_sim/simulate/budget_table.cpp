@@ -32,7 +32,8 @@ std::string budget_table(const SceneDescription& scene) {
       scene.field, scene.file,
       [&links](const FieldNode& node, const std::string& link) { return links.slot_of(node, link); });
   const Program<S> program(compiled.image.data(), compiled.inspection);
-  const bool soft = program.has_highest();
+  // As soft_clearance() asks.
+  const bool soft = program.has_highest() && program.certificate().error < S(0.5);
   std::string text = "target         value  gradient";
   text += soft ? "  soft clearance\n" : "\n";
   for (const NamedTarget& each : all_targets) {

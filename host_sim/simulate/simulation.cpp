@@ -1,5 +1,6 @@
 #include "simulate/simulation.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -25,7 +26,10 @@ SimulationResult simulate(const CompiledWorkCell& cell, const ProgressReport& re
                            std::to_string(static_cast<int>(player->status())));
   }
   SimulationResult result;
-  result.tick_budget = player->monitor().budget();
+  // Of the firmware, whose chains are as large as the robots.
+  const std::size_t capacity = std::max({cell.arm.joints.size() + 1, cell.arm.bodies.size(),
+                                         cell.person.joints.size() + 1});
+  result.tick_budget = player->monitor().budget(target::cortex_m4, static_cast<std::uint32_t>(capacity));
   result.ticks.reserve(view.ticks);
   const std::size_t arm_variables = cell.arm.variable_names.size();
   const std::size_t person_variables = cell.person.variable_names.size();

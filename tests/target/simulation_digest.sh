@@ -29,6 +29,8 @@ stack=$(figure 'greatest stack')
 [ "$query_worst" -le "$query_budget" ] ||
   fail "the worst query took $query_worst instructions, above the budget of $query_budget"
 [ -n "$stack" ] || fail "the target prints no greatest stack"
+stated=$(sed -n 's/^worst tick: at most \([0-9]*\) .*$/\1/p' host.txt)
+[ "$stated" = "$budget" ] || fail "the host states a budget of ${stated:-nothing} instructions a tick, the target has $budget"
 [ "$worst" -le "$budget" ] || fail "the worst tick took $worst instructions, above the budget of $budget"
 [ "$worst" -le "$most_instructions" ] ||
   fail "the worst tick took $worst instructions, above $most_instructions"

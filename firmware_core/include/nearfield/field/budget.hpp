@@ -152,8 +152,9 @@ NEARFIELD_TARGETS(NEARFIELD_TARGET)
 
 }  // namespace target
 
-// The target that this is compiled for; where that is none of them (a host, say), the Cortex-M4.
-#if defined(__ARM_ARCH_6M__)
+// The target that this is compiled for; where that is none of them (a host, say, or
+// RV64), the Cortex-M4: name another where a budget is relied upon.
+#if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
 inline constexpr const Target& kThisTarget = target::cortex_m0;
 #elif defined(__ARM_ARCH_7M__)
 inline constexpr const Target& kThisTarget = target::cortex_m3;

@@ -72,15 +72,16 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
     return out;
   }
 
-  // Worst-case instructions of a tick.
-  constexpr uint32_t budget(const Target& target = kThisTarget) const {
+  // Worst-case instructions of a tick, of a monitor with chains of at most `capacity` links and bodies each.
+  constexpr uint32_t budget(const Target& target = kThisTarget, uint32_t capacity = greatest_capacity) const {
     const uint32_t bodies = arm->body_count(), person_bodies = person == nullptr ? 0 : person->body_count();
     uint32_t near_cell = 0;
     for (uint32_t i = 0; i < bodies; ++i) near_cell += checked_against_cell[i] != 0 ? 1 : 0;
     const auto share = [&target](QueryPart part) { return target.cost(part).value; };
     // Poses from link_poses() are not checked again.
     const uint32_t unchecked = soft == nullptr ? 0 : soft->slot_count() * target.cost(QueryPart::pose_check).gradient;
-    return capacity_sixteenths * share(QueryPart::tick) + arm->poses_budget(target) +
+    // QueryPart::tick is what a tick costs besides its parts, of chains of up to 16 links and bodies.
+    return (capacity + 15) / 16 * share(QueryPart::tick) + arm->poses_budget(target) +
            (person == nullptr ? 0 : person->poses_budget(target)) +
            (bodies + person_bodies) * share(QueryPart::placed_body) +
            sweep_budget(*cell, near_cell, static_cast<uint32_t>(effort.refinements), target) +
@@ -89,11 +90,9 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
   }
 
  private:
-  // QueryPart::tick is what a tick costs besides its parts, of chains of up to 16 links and bodies.
   static constexpr uint32_t greatest_capacity =
       greatest_of_two<uint32_t>(greatest_of_two<uint32_t>(ArmChain::max_links, ArmChain::max_bodies),
                                 PersonChain::max_links);
-  static constexpr uint32_t capacity_sixteenths = (greatest_capacity + 15) / 16;
 
   // Everything that a tick refers to is there, and every number names something.
   constexpr bool consistent() const {
