@@ -28,17 +28,12 @@ inline ParameterDescription required_points(std::string_view key, std::size_t di
 struct SkeletonPoints {
   std::vector<Vector3d> points;
 
-  // Those of a node as `key`, refused where there are fewer or one does not fit the scalar.
-  SkeletonPoints(const FieldEmitter& emitter, const FieldNode& node, const std::string& key,
-                 std::size_t fewest, std::size_t most) {
+  // Those of a node as `key`, refused where one does not fit the scalar.
+  SkeletonPoints(const FieldEmitter& emitter, const FieldNode& node, const std::string& key) {
     for (const Vector3d& point : node.points(key)) {
       const std::string place = key + "[" + std::to_string(points.size()) + "]";
       points.push_back(transform_point(node.placement, point));
       emitter.require_coordinates(node, place, points.back());
-    }
-    if (points.size() < fewest) {
-      emitter.refuse(node, key, std::to_string(points.size()) + " of them",
-                     (fewest < most ? std::to_string(fewest) + " to " : "") + std::to_string(most));
     }
   }
   template <class S>
@@ -71,7 +66,7 @@ struct PolylineOperator {
                  PlacementParts::position_and_orientation);
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
-    const SkeletonPoints points(emitter, node, "points", 2, most_points);
+    const SkeletonPoints points(emitter, node, "points");
     const double radius = node.number("radius");
     emitter.operation([&](auto zero) {
       using S = decltype(zero);
@@ -91,10 +86,6 @@ struct PolygonOperator {
   static void add(FieldEmitter& emitter, const FieldNode& node) {
     const std::vector<double>& vertices = node.parameters.at("vertices");
     const int count = static_cast<int>(vertices.size() / 2);
-    if (count < 3) {
-      emitter.refuse(node, "vertices", std::to_string(count) + " of them",
-                     "3 to " + std::to_string(most_vertices));
-    }
     const double radius = node.number("radius");
     emitter.placed(node.placement, [&](const Vector3d& at) {
       emitter.operation([&](auto zero) {
@@ -134,7 +125,7 @@ struct CubicCurveOperator {
     return description;
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
-    SkeletonPoints points(emitter, node, "control_points", 4, most_points);
+    SkeletonPoints points(emitter, node, "control_points");
     if (node.choices.at("form") == "b_spline") {
       require_count(emitter, node, points, points.count() - 3, "4 to 7 points of a B-spline");
       points.points = bezier_of_spline(points.points);
@@ -194,7 +185,7 @@ struct BicubicPatchOperator {
                  PlacementParts::position_and_orientation);
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
-    const SkeletonPoints control(emitter, node, "control_points", point_count, point_count);
+    const SkeletonPoints control(emitter, node, "control_points");
     const std::vector<Vector3d>& points = control.points;
     for (std::size_t i = 0; i < point_count; ++i) {
       if (i % 4 != 0) require_near(emitter, node, points[i - 1], points[i]);

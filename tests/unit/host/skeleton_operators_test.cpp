@@ -88,7 +88,7 @@ TEST(SkeletonOperators, PatchesAreWhereTheirControlPointsPutThem) {
 }
 
 TEST(SkeletonOperators, RefuseWhatIsNoPatch) {
-  expect_refused(patch("0", 15) + "}", "file:2:45: field.control_points: 15 of them; 16");
+  expect_refused(patch("0", 15) + "}", "file:2:45: field.control_points: array of 15; an array of 16 elements");
   expect_refused(patch("3") + "}", "file:2:45: field.control_points: 3 does not fit q27");
   expect_refused(patch("17") + "}", "file:2:125: field.control_points[5][2]: 17");
   expect_refused(patch("0") + ", \"radius\": -0.1}", "file:2:297: field.radius: -0.1");
@@ -96,14 +96,14 @@ TEST(SkeletonOperators, RefuseWhatIsNoPatch) {
 
 TEST(SkeletonOperators, RefuseWhatIsNoSkeleton) {
   expect_refused("{\"type\": \"polyline\", \"points\": [[0, 0, 0]]}",
-                 "file:2:32: field.points: 1 of them; 2 to 8");
+                 "file:2:32: field.points: array of 1; an array of 2 to 8 elements");
   expect_refused("{\"type\": \"polyline\", \"points\": [[0, 0, 0], [0, 0, 9]]}",
                  "file:2:32: field.points[1]");
   expect_refused("{\"type\": \"polyline\", \"points\": [[0, 0, 0], [0, 0, 1]], \"radius\": -1}",
                  "file:2:66: field.radius: -1");
   expect_refused("{\"type\": \"polygon\", \"vertices\": [[0, 0], [1, 0]]}",
-                 "file:2:33: field.vertices: 2 of them; 3 to 8");
-  expect_refused("{\"type\": \"polygon\", \"vertices\": []}", "file:2:33: field.vertices");
+                 "file:2:33: field.vertices: array of 2; an array of 3 to 8 elements");
+  expect_refused("{\"type\": \"polygon\", \"vertices\": []}", "file:2:33: field.vertices: array of 0; an array of 3 to 8 elements");
   const char* const bad[] = {"[[0, 0], [1, 0], [2, 0]]", "[[0, 0], [1, 1], [1, 0], [0, 1]]",
                              "[[0, 0], [1, 0], [1, 0], [0, 1]]", "[[0, 0], [2, 0], [1, 0], [0, 1]]",
                              "[[0, 0], [2, 0], [2, 1], [1, 0], [0, 1]]"};
@@ -119,7 +119,7 @@ TEST(SkeletonOperators, RefuseWhatIsNoSkeleton) {
   expect_refused(curve + "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], \"halvings\": 3}",
                  "file:2:101: field.halvings");
   expect_refused(curve + "[[0, 0, 0], [1, 0, 0], [1, 1, 0]], \"form\": \"b_spline\"}",
-                 "file:2:43: field.control_points: 3 of them");
+                 "file:2:43: field.control_points: array of 3; an array of 4 to 13 elements");
   expect_refused(curve + "[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,2,0],[1,2,0],[1,1,1]], \"halvings\": 2}",
                  "file:2:43: field.control_points: 7 of them");
 }
