@@ -112,6 +112,15 @@ inline void report_frames() {
   trial.whole() = Builder();
   trial.whole().enter_slot(0).operation(kBall).leave();
   report_frame("enter_slot", Operation::enter_slot, trial.worst("enter_slot"));
+  trial.whole() = Builder();
+  trial.whole().enter_scale(UniformScale<Q>(Q(0.7)), Kind::distance).operation(kBall).leave_scale();
+  Budget scale = trial.worst("enter_scale and leave_scale");
+  Trial ray;
+  ray.operand(RayPoint<Q>{kPlace, RayRadius<Q>(Q(0.7))});
+  ray.whole() = Builder();
+  ray.whole().enter_scale(UniformScale<Q>(Q(0.7)), Kind::ray).operation(RayPoint<Q>{kPlace, RayRadius<Q>(Q(0.7))}).leave_scale();
+  scale = greatest_of_both(scale, ray.worst("enter_scale and leave_scale"));
+  report_frame("enter_scale", Operation::enter_scale, scale);
   Budget box;
   const Vector3<Q> halves[] = {Vector3<Q>{4.0, 4.0, 4.0}, Vector3<Q>{0.5, 0.4, 0.3},
                                Vector3<Q>{0.1, 4.0, 1.0}};
