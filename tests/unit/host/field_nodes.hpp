@@ -136,7 +136,7 @@ inline std::string leaf(FieldKind kind, std::size_t which) {
     case FieldKind::intensity:
       return "{\"type\": \"soft_point\", \"influence_radius\": 1, " + at + "}";
     case FieldKind::ray:
-      return "{\"type\": \"ray_point\", \"influence_radius\": 0.8, " + at + "}";
+      return "{\"type\": \"ray_point\", \"influence_radius\": " + format_number(0.8 + 0.1 * static_cast<double>(which)) + ", " + at + "}";
     case FieldKind::algebraic:
       break;
   }

@@ -71,7 +71,9 @@ template <class S, SetOperation operation, Kind field_kind = Kind::distance> str
       const Out second = detail::negated(b);
       return detail::first_decides<by_value>(a.value, second.value) ? a : second;
     } else {
-      return detail::first_decides<by_value>(a.value, b.value) ? a : b;
+      const bool first = detail::first_decides<by_value>(a.value, b.value);
+      if constexpr (Out::has_gradient) return first ? a : b;
+      else return {first ? a.value : b.value};
     }
   }
   constexpr Highest<S> highest(const Highest<S>& a, const Highest<S>& b, const Ball<S>&) const { return combine(a, b); }

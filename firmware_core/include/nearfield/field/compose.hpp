@@ -1,6 +1,7 @@
 // Static composition: fields as C++ values, built from shapes and blends, inlined by the compiler.
 #pragma once
 
+#include <nearfield/field/apply.hpp>
 #include <nearfield/field/budget.hpp>
 #include <nearfield/field/slots.hpp>
 
@@ -128,13 +129,9 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
   static constexpr int count = NodeList<Operand...>::count;
 
   template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
-    if constexpr (count == 0) {
-      return node.operation.template evaluate<Out>(p, node.table);
-    } else {
-      Out of[static_cast<size_t>(count)] = {};
-      Operands::template evaluate<Out, S>(of, node.operands, p, slots);
-      return combined<Out>(node, p, of, slots);
-    }
+    Out of[static_cast<size_t>(count == 0 ? 1 : count)] = {};
+    Operands::template evaluate<Out, S>(of, node.operands, p, slots);
+    return apply(node.operation, p, of, node.table, slots.parameters);
   }
   static constexpr bool has_highest = passes_highest<T> && Operands::has_highest;
   static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
@@ -144,7 +141,7 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
     } else {
       Highest<S> of[static_cast<size_t>(count)] = {};
       Operands::template highest<S>(of, node.operands, p, ball, slots);
-      if constexpr (!has_own_highest<T>) return combined<Highest<S>>(node, p, of, slots);
+      if constexpr (!has_own_highest<T>) return apply(node.operation, p, of, node.table, slots.parameters);
       else return combined_highest(node, of, ball, slots);
     }
   }
@@ -186,29 +183,6 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
     else if constexpr (count == 1) return operation.highest(of[0], ball);
     else if constexpr (uses_table<T>) return operation.highest(of[0], of[1], ball, node.table);
     else return operation.highest(of[0], of[1], ball);
-  }
-  template <class Out>
-  static constexpr Out combined(const Node& node, [[maybe_unused]] const Vector3<S>& p, const Out* of,
-                                [[maybe_unused]] const Slots<S>& slots) {
-    const T& operation = node.operation;
-    static_assert(!takes_point_of<T> || count == 1, "operations that take the point have one operand");
-    if constexpr (takes_parameter_of<T>) {
-      const S parameter = slots.parameters[operation.slot];
-      if constexpr (count == 1) return operation.combine(of[0], parameter);
-      else return operation.combine(of[0], of[1], parameter);
-    } else if constexpr (operand_count_of<T> == kAnyNumber) {
-      if constexpr (uses_table<T>) return operation.template combine_all<Out>(of, node.table);
-      else return operation.template combine_all<Out>(of);
-    } else if constexpr (takes_point_of<T>) {
-      if constexpr (uses_table<T>) return operation.combine(p, of[0], node.table);
-      else return operation.combine(p, of[0]);
-    } else if constexpr (count == 1) {
-      if constexpr (uses_table<T>) return operation.combine(of[0], node.table);
-      else return operation.combine(of[0]);
-    } else {
-      if constexpr (uses_table<T>) return operation.combine(of[0], of[1], node.table);
-      else return operation.combine(of[0], of[1]);
-    }
   }
 };
 

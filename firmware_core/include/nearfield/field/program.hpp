@@ -42,6 +42,8 @@ template <class S, class Operations = AllOperations> class Program {
   Budget budget(const Target& target = kThisTarget) const;
   constexpr uint32_t slot_count() const { return inspection_.slot_count; }
   constexpr uint32_t parameter_count() const { return inspection_.parameter_count; }
+  // As it was loaded from.
+  constexpr const uint32_t* image() const { return image_; }
 
   // Precondition: status ok, p within the domain, slot_count() valid poses and parameter_count() parameters in `slots`.
   template <class Out> Out evaluate(const Vector3<S>& p, const Slots<S>& slots) const;

@@ -119,8 +119,18 @@ constexpr RootParts root_parts(uint64_t x) {
   return {root, detail::fine_reciprocal(seed), seed.shift};
 }
 
-// Square root of a float >= 0, correctly rounded (the same bits as IEEE squareRoot); NaN for NaN, 0 below 0.
-constexpr float square_root(float x) {
+// Where the machine has an instruction for it, and compilers need call no function for the sake of errno.
+#if defined(__NO_MATH_ERRNO__) && ((defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__SSE2__) || defined(__aarch64__) || \
+                                   defined(__riscv_flen) || defined(__wasm__))
+inline constexpr bool kHasRootInstruction = true;
+#else
+inline constexpr bool kHasRootInstruction = false;
+#endif
+
+namespace detail {
+
+// Without floating-point instructions; see square_root().
+constexpr float square_root_of_integers(float x) {
   const uint32_t bits = bits_as<uint32_t>(x);
   if (bits == 0 || bits >= 0x7f800000u) return x <= 0.0f ? 0.0f : x;
   int exponent = static_cast<int>(bits >> 23);
@@ -137,6 +147,17 @@ constexpr float square_root(float x) {
   const uint32_t carry = rounded >> 24;  // rounding up to 2^24
   return bits_as<float>((static_cast<uint32_t>(root_exponent + static_cast<int>(carry)) << 23) |
                         ((rounded >> carry) & 0x007fffffu));
+}
+
+}  // namespace detail
+
+// Square root of a float >= 0, correctly rounded (the same bits as IEEE squareRoot); NaN for NaN, 0 below 0.
+// Cost: the machine's instruction compiled with -fno-math-errno, otherwise as integer_sqrt() and 30 instructions more.
+constexpr float square_root(float x) {
+  if constexpr (kHasRootInstruction) {
+    if (!__builtin_is_constant_evaluated()) return __builtin_sqrtf(x <= 0.0f ? 0.0f : x);
+  }
+  return detail::square_root_of_integers(x);
 }
 
 // Length of (x, y, z), rounded down, saturated at the greatest number. Error: (-1, 0] units in the last place for

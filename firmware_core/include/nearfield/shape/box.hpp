@@ -17,6 +17,11 @@ template <class S> struct Box {
     const Vector3<S> q = subtract_in_range(p, center);
     const S x = beyond(q.x, half_edges.x), y = beyond(q.y, half_edges.y), z = beyond(q.z, half_edges.z), zero{};
     const Vector3<S> outside = {not_negative(x), not_negative(y), not_negative(z)};
+    if constexpr (!Out::has_gradient && !ScalarTraits<S>::is_fixed && kHasRootInstruction) {
+      // The same without branches: one of them is 0. Compilers can take several points at once then.
+      const S most = greatest_of_two(greatest_of_two(x, y), z);
+      return {from_offset<Out>(outside, zero).value + least_of_two(most, zero)};
+    }
     Out out;
     if (!is_zero(outside)) {
       out = from_offset<Out>(outside, zero);
@@ -48,13 +53,14 @@ template <class S> struct Box {
 
  private:
   // |q| - half.
-  static constexpr S beyond(S q, S half) {
+  template <int F> static constexpr Fixed<F> beyond(Fixed<F> q, Fixed<F> half) {
     return subtract_in_range(q < S{} ? subtract_in_range(S{}, q) : q, half);
   }
+  static constexpr float beyond(float q, float half) { return absolute(q) - half; }
   template <int F> static constexpr Fixed<F> not_negative(Fixed<F> x) {
     return Fixed<F>::from_raw(x.raw() & ~(x.raw() >> 31));
   }
-  static constexpr float not_negative(float x) { return x < 0.0f ? 0.0f : x; }
+  static constexpr float not_negative(float x) { return greatest_of_two(x, 0.0f); }
 };
 
 }  // namespace nearfield
