@@ -45,6 +45,8 @@ straightforward::Point at(const Several<float, 3>& in) { return {in.word[0], in.
 
 constexpr auto kPotential = bake<Q, 2>(over_square(potential::wyvill));
 constexpr Sphere<Q> kBall = {{}, 0.3};
+constexpr auto kFloatPotential = bake<float, 1>(over_square(potential::wyvill));
+constexpr SoftPoint<float> kFloatSoftBall = {{}, Influence<float>(2.0f, 1.0f)};
 constexpr SoftPoint<Q> kSoftBall = {{}, Influence<Q>(Q(2.0), Q(1.0))};
 constexpr Capsule<Q> kCapsule(Vector3<Q>{-0.3, 0.1, 0.0}, Vector3<Q>{0.4, 0.2, 0.3}, Q(0.1));
 constexpr Box<Q> kBox = {{}, {0.3, 0.2, 0.4}};
@@ -89,6 +91,22 @@ constexpr Capsules capsules() {
   return made;
 }
 constexpr Capsules kCapsules = capsules();
+struct Segments {
+  straightforward::Segment all[64];
+};
+constexpr straightforward::Segment segment_of(const Capsule<Q>& capsule) {
+  const auto metres = [](auto x) { return static_cast<float>(x.raw()) * (1.0f / 134217728.0f); };
+  const float unit = 1.0f / 1073741824.0f;
+  return {{metres(capsule.from.x), metres(capsule.from.y), metres(capsule.from.z)},
+          {static_cast<float>(capsule.axis.x.raw()) * unit, static_cast<float>(capsule.axis.y.raw()) * unit,
+           static_cast<float>(capsule.axis.z.raw()) * unit},
+          metres(capsule.length), metres(capsule.radius)};
+}
+constexpr Segments kSegments = [] {
+  Segments made{};
+  for (int i = 0; i < 64; ++i) made.all[i] = segment_of(kCapsules.all[i]);
+  return made;
+}();
 
 bool failed = false;
 
@@ -100,15 +118,7 @@ void value_row(const char* name, uint32_t count) {
   failed = failed || count == 0;
 }
 
-constexpr straightforward::Segment kSegment = [] {
-  const auto metres = [](auto x) { return static_cast<float>(x.raw()) * (1.0f / 134217728.0f); };
-  const float unit = 1.0f / 1073741824.0f;
-  return straightforward::Segment{{metres(kCapsule.from.x), metres(kCapsule.from.y), metres(kCapsule.from.z)},
-                                  {static_cast<float>(kCapsule.axis.x.raw()) * unit,
-                                   static_cast<float>(kCapsule.axis.y.raw()) * unit,
-                                   static_cast<float>(kCapsule.axis.z.raw()) * unit},
-                                  metres(kCapsule.length), 0.1f};
-}();
+constexpr straightforward::Segment kSegment = segment_of(kCapsule);
 
 constexpr straightforward::Frame kFrame = [] {
   straightforward::Frame frame{};
@@ -158,6 +168,19 @@ int main() {
              return Several<float, 4>{{f.value, f.gradient.x, f.gradient.y, f.gradient.z}};
            },
            float_point, kPoints)});
+  row("Nearfield in float: ball potential",
+      {board::worst_instruction_count(
+           [](const Several<float, 3>& in) {
+             return kFloatSoftBall.evaluate<Value<float>>({in.word[0], in.word[1], in.word[2]}, kFloatPotential.view()).value;
+           },
+           float_point, kPoints),
+       board::worst_instruction_count(
+           [](const Several<float, 3>& in) {
+             const Sample<float> s =
+                 kFloatSoftBall.evaluate<Sample<float>>({in.word[0], in.word[1], in.word[2]}, kFloatPotential.view());
+             return Several<float, 4>{{s.value, s.gradient.x, s.gradient.y, s.gradient.z}};
+           },
+           float_point, kPoints)});
   row("ball distance", fixed_cost(in_field(kBall)));
   row("capsule distance", fixed_cost(in_field(kCapsule)));
   row("rotated box, outside", fixed_cost([](auto out, const Vector3<Q>& p) { return placed_box<decltype(out)>(p); },
@@ -175,6 +198,18 @@ int main() {
   value_row("float: capsule, squared distance",
             board::worst_instruction_count(
                 [](const Several<float, 3>& in) { return squared_distance_in_float(at(in)); }, float_point, kPoints));
+  value_row("square root",
+            board::worst_instruction_count(
+                [](const Several<int32_t, 3>& in) {
+                  const uint64_t x = static_cast<uint64_t>(static_cast<uint32_t>(in.word[0])) << 32 |
+                                     static_cast<uint32_t>(in.word[1]);
+                  return static_cast<int32_t>(integer_sqrt(x >> (in.word[2] & 31)));
+                },
+                fixed_point, kPoints));
+  value_row("float: square root",
+            board::worst_instruction_count(
+                [](const Several<float, 3>& in) { return straightforward::root(in.word[0] * in.word[0]); }, float_point,
+                kPoints));
   value_row("length of an offset",
             board::worst_instruction_count(
                 [](const Several<int32_t, 3>& in) {
@@ -200,6 +235,18 @@ int main() {
                   return least.raw();
                 },
                 fixed_point, 40));
+  value_row("float: nearest of 64 capsules",
+            board::worst_instruction_count(
+                [](const Several<float, 3>& in) {
+                  const straightforward::Point p = at(in);
+                  float least = 1e9f;
+                  for (const straightforward::Segment& each : kSegments.all) {
+                    const float distance = straightforward::root(straightforward::squared_to_segment(each, p)) - each.radius;
+                    least = distance < least ? distance : least;
+                  }
+                  return least;
+                },
+                float_point, 40));
 
   for (uint32_t i = 0; i < kPoints; ++i) {
     const Vector3<Q> p = at(fixed_point(i)), outside = at(fixed_outside(i));
