@@ -82,7 +82,9 @@ Options options_of(const DrawingVerb& verb, const GalleryPicture& picture, const
   for (const std::string& own : {verb.output, std::string("threads"), std::string("help")}) {
     if (given.has(own)) throw UsageError("--" + own + " is not for pictures of a gallery");
   }
-  words.push_back("--" + verb.output + "=picture" + verb.ending);
+  // Layers have so many shades that they would be megabytes of lines.
+  const std::string ending = given.has("bands") ? ".png" : verb.ending;
+  words.push_back("--" + verb.output + "=picture" + ending);
   if (has_option(verb, "threads")) words.push_back("--threads=1");  // pictures are drawn side by side
   Options options(verb.options(), words, Operand::one);
   if (verb.of_scene) options.look_for_operand_in(folder);

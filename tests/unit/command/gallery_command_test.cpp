@@ -55,11 +55,11 @@ class GalleryCommand : public testing::Test {
 
 TEST_F(GalleryCommand, PageHoldsPicturesScenesCertificatesAndBudgets) {
   write_chapter("one", {slice_, render_, curve_, R"(["slice", "s/soft.json", "--size", "160x160"])",
-                        R"(["slice", "s/ray.json", "--size", "160x160"])"});
+                        R"(["slice", "s/ray.json", "--size", "160x160", "--bands"])"});
   const std::string text = page();
   EXPECT_EQ(text.find("<!DOCTYPE html>\n"), 0U);
-  EXPECT_EQ(count_of(text, "data:image/svg+xml;base64,"), 4U);
-  EXPECT_EQ(count_of(text, "data:image/png;base64,"), 1U);
+  EXPECT_EQ(count_of(text, "data:image/svg+xml;base64,"), 3U);
+  EXPECT_EQ(count_of(text, "data:image/png;base64,"), 2U);
   EXPECT_NE(text.find("width=\"40\" height=\"30\" alt=\"c &lt;1&gt;\""), std::string::npos);
   EXPECT_NE(text.find("id=\"one-3\""), std::string::npos);
   EXPECT_NE(text.find("<a href=\"#one-3\">Figure 3: Ball &lt;b&gt;</a>"), std::string::npos);

@@ -49,7 +49,8 @@ TEST(GalleryScenes, IndexesNameThemAllAndNoOther) {
       for (const GalleryPicture& picture : chapter.figures[i].pictures) {
         if (picture.command.front() == "curve") continue;
         ASSERT_GE(picture.command.size(), 2U) << chapter.file << " " << picture.path;
-        named.insert(picture.command[1]);
+        // Scenes of other folders are somebody else's.
+        if (picture.command[1].rfind("../", 0) != 0) named.insert(picture.command[1]);
       }
     }
   }
