@@ -111,6 +111,16 @@ Job job_of(const GalleryChapter& chapter, const GalleryFigure& figure, std::size
   }
 }
 
+// Budgets are of Fixed<27>; a picture in another number type may be of a field that does not fit that.
+std::string budget_of(const Options& options, const SceneDescription& scene) {
+  if (scalar_of(options) == FieldScalar::q27) return budget_in_words(scene);
+  try {
+    return budget_in_words(scene) + " (in Fixed<27>)";
+  } catch (const InputError&) {
+    return "not stated: the field does not fit Fixed<27>";
+  }
+}
+
 DrawnPicture drawn(const Job& job) {
   DrawnPicture picture;
   try {
@@ -122,7 +132,7 @@ DrawnPicture drawn(const Job& job) {
     picture.scene_file = std::filesystem::path(scene.file).filename().string();
     picture.scene_text = read_file(scene.file);
     picture.certificate = certificate_in_words(*field_of(job.options, scene));
-    picture.budget = budget_in_words(scene);
+    picture.budget = budget_of(job.options, scene);
   } catch (const UsageError& error) {
     job.refuse(error.what());
   } catch (const InputError& error) {

@@ -141,6 +141,16 @@ TEST_F(GalleryCommand, ChaptersComeInTheirOrder) {
             0U);
 }
 
+TEST_F(GalleryCommand, PicturesMayBeInOtherNumberTypes) {
+  folder_.write("g/s/far.json", R"({"format": "nearfield-scene-1", "name": "far", "field":
+  {"type": "sphere", "radius": 8}})");
+  write_chapter("one", {R"(["slice", "s/far.json", "--size", "160x160", "--scalar", "q24"])",
+                        R"(["slice", "s/ball.json", "--size", "160x160", "--scalar", "q24"])"});
+  const std::string text = page();
+  EXPECT_EQ(count_of(text, "not stated: the field does not fit Fixed&lt;27&gt;"), 1U);
+  EXPECT_EQ(count_of(text, " with its gradient (in Fixed&lt;27&gt;)"), 1U);
+}
+
 TEST_F(GalleryCommand, SceneTextMayBeLeftOut) {
   folder_.write("g/one.json", R"({"format": "nearfield-gallery-1", "title": "t", "figures": [{"title": "f",
     "look_for": "l", "pictures": [{"caption": "c", "scene_text": false, "command": )" +
