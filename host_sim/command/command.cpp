@@ -27,6 +27,7 @@ const std::vector<Verb>& verbs() {
       {"render", run_render, "a picture of a scene's field in three dimensions"},
       {"slice", run_slice, "contours, bands and gradients of a scene's field in a plane"},
       {"mesh", run_mesh, "the surface of a scene's field as triangles"},
+      {"gallery", run_gallery, "a page of pictures, drawn as the verbs above draw them"},
   };
   return all;
 }

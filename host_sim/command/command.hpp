@@ -16,6 +16,7 @@ int run_eval(const std::vector<std::string>& arguments);
 int run_render(const std::vector<std::string>& arguments);
 int run_slice(const std::vector<std::string>& arguments);
 int run_mesh(const std::vector<std::string>& arguments);
+int run_gallery(const std::vector<std::string>& arguments);
 
 // The whole command: finds the verb, prints help, turns errors into one line on standard error and status 2.
 int run_command(const std::vector<std::string>& arguments);

@@ -1,6 +1,7 @@
 #include "command/options.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "text/names.hpp"
 
@@ -54,6 +55,10 @@ std::string Options::required(const std::string& name) const {
   const auto found = values_.find(name);
   if (found == values_.end()) throw UsageError("--" + name + " is required");
   return found->second.back();
+}
+
+void Options::look_for_operand_in(const std::string& folder) {
+  if (operand_) operand_ = (std::filesystem::path(folder) / *operand_).string();
 }
 
 std::string describe(const std::vector<OptionDescription>& descriptions) {

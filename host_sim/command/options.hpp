@@ -43,6 +43,8 @@ class Options {
   // UsageError if it was not given.
   std::string required(const std::string& name) const;
   const std::optional<std::string>& operand() const { return operand_; }
+  // Takes the operand for a file's name relative to `folder`. Nothing happens without an operand.
+  void look_for_operand_in(const std::string& folder);
 
  private:
   std::map<std::string, std::vector<std::string>> values_;

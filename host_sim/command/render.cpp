@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "command/command.hpp"
+#include "command/drawing.hpp"
 #include "command/field_options.hpp"
 #include "command/progress.hpp"
 #include "draw/number_text.hpp"
@@ -13,26 +14,6 @@ namespace nearfield::host {
 namespace {
 
 const char* const usage = "nearfield render SCENE --output FILE.png";
-
-std::vector<OptionDescription> render_options() {
-  return {{"output", "FILE.png", "where to write (required)"},
-          {"camera", "x,y,z", "where the camera is, m; default: where it sees all of the surface"},
-          {"look-at", "x,y,z", "what is in the middle of the picture; default: the middle of the surface"},
-          {"field-of-view", "DEGREES", "of the picture's height, 1 to 150; default: 35"},
-          size_option(),
-          {"ground", "Z", "height of the ground plane, m, or none; default: below the surface"},
-          {"colour", "#RRGGBB", "of the surface, sRGB; default: #95AECA"},
-          {"bands", "SPACING",
-           "layers of the field, one each SPACING of f, on the ground and on what --box cuts"},
-          box_option("x0,y0,z0,x1,y1,z1, m: cut off what is outside; default: nothing is"),
-          level_option(),
-          {"steps", "N",
-           "of rays across the surface's box where nothing is certified, 16 to 65536; default: 512"},
-          scalar_option(),
-          parameters_option(),
-          threads_option(),
-          {"help", "", "this text"}};
-}
 
 void print_help() {
   std::printf(
@@ -95,14 +76,29 @@ std::string stepping_in_words(const Rendering& rendering) {
 
 }  // namespace
 
-int run_render(const std::vector<std::string>& arguments) {
-  const Options options(render_options(), arguments, Operand::one);
-  if (options.has("help")) {
-    print_help();
-    return 0;
-  }
+std::vector<OptionDescription> render_options() {
+  return {{"output", "FILE.png", "where to write (required)"},
+          {"camera", "x,y,z", "where the camera is, m; default: where it sees all of the surface"},
+          {"look-at", "x,y,z", "what is in the middle of the picture; default: the middle of the surface"},
+          {"field-of-view", "DEGREES", "of the picture's height, 1 to 150; default: 35"},
+          size_option(),
+          {"ground", "Z", "height of the ground plane, m, or none; default: below the surface"},
+          {"colour", "#RRGGBB", "of the surface, sRGB; default: #95AECA"},
+          {"bands", "SPACING",
+           "layers of the field, one each SPACING of f, on the ground and on what --box cuts"},
+          box_option("x0,y0,z0,x1,y1,z1, m: cut off what is outside; default: nothing is"),
+          level_option(),
+          {"steps", "N",
+           "of rays across the surface's box where nothing is certified, 16 to 65536; default: 512"},
+          scalar_option(),
+          parameters_option(),
+          threads_option(),
+          {"help", "", "this text"}};
+}
+
+Drawing draw_scene(const Options& options, const ReportProgress& report) {
   const SceneDescription scene = scene_of(options, usage);
-  const std::string output = output_of(options, {".png"});
+  output_of(options, {".png"});
   RenderSettings settings;
   settings.width = size_of(options).width;
   settings.height = size_of(options).height;
@@ -119,20 +115,31 @@ int run_render(const std::vector<std::string>& arguments) {
   place_camera(options, scene, *field, settings);
   place_ground(options, *field, settings);
 
-  Rendering rendering;
+  const Rendering rendering = render(*field, settings, report);
+  std::string said = std::string(name_of(field->kind())) + " of \"" + scene.name + "\", " +
+                     std::to_string(settings.width) + " x " + std::to_string(settings.height) + "; " +
+                     stepping_in_words(rendering);
+  if (settings.ground) {
+    said += "; ground at z = " + draw::short_text(*settings.ground, 4) + " m";
+    if (settings.bands.empty())
+      said += ", lines every " + draw::short_text(rendering.ground_spacing, 4) + " m";
+  }
+  return {draw::png_of(rendering.image), said};
+}
+
+int run_render(const std::vector<std::string>& arguments) {
+  const Options options(render_options(), arguments, Operand::one);
+  if (options.has("help")) {
+    print_help();
+    return 0;
+  }
+  Drawing drawing;
   {
     Progress progress("drawing");
-    rendering = render(*field, settings, [&progress](double done) { progress.report(done); });
+    drawing = draw_scene(options, [&progress](double done) { progress.report(done); });
   }
-  write_file(output, draw::png_of(rendering.image));
-  std::printf("%s: %s of \"%s\", %zu x %zu; %s", output.c_str(), name_of(field->kind()), scene.name.c_str(),
-              settings.width, settings.height, stepping_in_words(rendering).c_str());
-  if (settings.ground) {
-    std::printf("; ground at z = %s m", draw::short_text(*settings.ground, 4).c_str());
-    if (settings.bands.empty())
-      std::printf(", lines every %s m", draw::short_text(rendering.ground_spacing, 4).c_str());
-  }
-  std::printf("\n");
+  write_file(options.required("output"), drawing.bytes);
+  std::printf("%s: %s\n", options.required("output").c_str(), drawing.said.c_str());
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "command/command.hpp"
+#include "command/drawing.hpp"
 #include "command/field_options.hpp"
 #include "command/progress.hpp"
 #include "draw/number_text.hpp"
@@ -12,27 +13,6 @@ namespace nearfield::host {
 namespace {
 
 const char* const usage = "nearfield slice SCENE --output FILE.svg|FILE.png";
-
-std::vector<OptionDescription> slice_options() {
-  return {
-      {"output", "FILE", "where to write, .svg or .png (required)"},
-      {"plane", "AXIS=M", "x, y or z at so many m; default: z in the middle of the surface"},
-      {"normal", "x,y,z", "instead: of a plane through --origin, seen from where it points to"},
-      {"origin", "x,y,z", "m; what is in the middle of the picture; default: the middle of the surface"},
-      {"width-metres", "W", "of what is shown; default: one and a half times the surface"},
-      size_option(),
-      {"levels", "N", "contours outside of the surface, 1 to 100; default: about 10"},
-      {"spacing", "S", "instead: from one contour to the next, m of distances, else in units of the value"},
-      {"bands", "", "colour by layers of even thickness: sum a (cos(w f) + 1)"},
-      {"wave", "a,w", "one of the sum's terms, w in rad for each unit of f; default: two by the spacing",
-       true},
-      {"arrows", "", "the field's gradients, away from the inside"},
-      level_option(),
-      scalar_option(),
-      parameters_option(),
-      threads_option(),
-      {"help", "", "this text"}};
-}
 
 void print_help() {
   std::printf(
@@ -112,25 +92,50 @@ SliceSettings settings_of(const Options& options, const SceneField& field) {
 
 }  // namespace
 
+std::vector<OptionDescription> slice_options() {
+  return {
+      {"output", "FILE", "where to write, .svg or .png (required)"},
+      {"plane", "AXIS=M", "x, y or z at so many m; default: z in the middle of the surface"},
+      {"normal", "x,y,z", "instead: of a plane through --origin, seen from where it points to"},
+      {"origin", "x,y,z", "m; what is in the middle of the picture; default: the middle of the surface"},
+      {"width-metres", "W", "of what is shown; default: one and a half times the surface"},
+      size_option(),
+      {"levels", "N", "contours outside of the surface, 1 to 100; default: about 10"},
+      {"spacing", "S", "instead: from one contour to the next, m of distances, else in units of the value"},
+      {"bands", "", "colour by layers of even thickness: sum a (cos(w f) + 1)"},
+      {"wave", "a,w", "one of the sum's terms, w in rad for each unit of f; default: two by the spacing",
+       true},
+      {"arrows", "", "the field's gradients, away from the inside"},
+      level_option(),
+      scalar_option(),
+      parameters_option(),
+      threads_option(),
+      {"help", "", "this text"}};
+}
+
+Drawing draw_slice(const Options& options, const ReportProgress& report) {
+  const SceneDescription scene = scene_of(options, usage);
+  const std::string output = output_of(options, {".svg", ".png"});
+  const auto field = field_of(options, scene);
+  const SliceSettings settings = settings_of(options, *field);
+  const draw::SlicePicture picture = slice_of(*field, settings, scene.name, report);
+  return {ends_with(output, ".svg") ? draw::slice_svg(picture) : draw::png_of(draw::slice_image(picture)),
+          "\"" + scene.name + "\", " + picture.note};
+}
+
 int run_slice(const std::vector<std::string>& arguments) {
   const Options options(slice_options(), arguments, Operand::one);
   if (options.has("help")) {
     print_help();
     return 0;
   }
-  const SceneDescription scene = scene_of(options, usage);
-  const std::string output = output_of(options, {".svg", ".png"});
-  const auto field = field_of(options, scene);
-  const SliceSettings settings = settings_of(options, *field);
-
-  draw::SlicePicture picture;
+  Drawing drawing;
   {
     Progress progress("sampling");
-    picture = slice_of(*field, settings, scene.name, [&progress](double done) { progress.report(done); });
+    drawing = draw_slice(options, [&progress](double done) { progress.report(done); });
   }
-  write_file(output,
-             ends_with(output, ".svg") ? draw::slice_svg(picture) : draw::png_of(draw::slice_image(picture)));
-  std::printf("%s: \"%s\", %s\n", output.c_str(), scene.name.c_str(), picture.note.c_str());
+  write_file(options.required("output"), drawing.bytes);
+  std::printf("%s: %s\n", options.required("output").c_str(), drawing.said.c_str());
   return 0;
 }
 

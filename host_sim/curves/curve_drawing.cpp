@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "curves/curve_report.hpp"
+#include "text/number.hpp"
 
 namespace nearfield::host {
 namespace {
@@ -54,6 +55,20 @@ std::vector<double> ends_of_pieces(const CurveFacts& facts) {
   return ends;
 }
 
+// The same function of `factor` times the argument's part.
+void stretch(draw::CurvePicture& picture, double factor) {
+  const auto scale = [factor](std::vector<draw::Polyline>& lines, double of_values) {
+    for (draw::Polyline& line : lines) {
+      for (draw::Point& p : line.points) p = {factor * p.x, of_values * p.y};
+    }
+  };
+  scale(picture.value, 1.0);
+  scale(picture.first, 1.0 / factor);
+  scale(picture.second, 1.0 / (factor * factor));
+  for (draw::Point& p : picture.errors) p.x *= factor;
+  for (double& knot : picture.knots) knot *= factor;
+}
+
 bool has_long_title(const CurveStudy& study) { return headline_of(study).size() > longest_title; }
 
 std::vector<std::string> captions_of(const CurveStudy& study) {
@@ -76,7 +91,7 @@ std::vector<std::string> captions_of(const CurveStudy& study) {
 
 }  // namespace
 
-draw::CurvePicture picture_of(const CurveStudy& study) {
+draw::CurvePicture picture_of(const CurveStudy& study, double rising_range) {
   const AnyCurve& curve = study.curve();
   const CurveFacts facts = curve.facts();
   const double length = facts.to - facts.from;
@@ -89,13 +104,13 @@ draw::CurvePicture picture_of(const CurveStudy& study) {
   picture.high = facts.to + margin_of_a_range * length;
 
   Series series{picture};
-  add_constant(series, picture.low, facts.from, facts.before);
+  add_constant(series, picture.low / rising_range, facts.from, facts.before);
   const std::vector<double> ends = ends_of_pieces(facts);
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const int count = 2 + static_cast<int>(samples_of_a_range * (ends[i] - ends[i - 1]) / length);
     add_piece(series, curve, ends[i - 1], ends[i], count);
   }
-  add_constant(series, facts.to, picture.high, facts.after);
+  add_constant(series, facts.to, picture.high / rising_range, facts.after);
 
   const ControlPoints points = curve.control_points();
   for (int i = 0; i < points.count; ++i) picture.control_points.push_back({points.x[i], points.y[i]});
@@ -104,6 +119,10 @@ draw::CurvePicture picture_of(const CurveStudy& study) {
       picture.errors.push_back({row.argument, row.error()});
     picture.error_bound = study.table->error;
     picture.knots = study.table->knots;
+  }
+  if (rising_range != 1.0) {
+    stretch(picture, rising_range);
+    picture.title += ", rising range " + format_number(rising_range);
   }
   return picture;
 }

@@ -221,6 +221,16 @@ TEST_F(CurveCommand, PictureSaysHowDerivativesAreScaled) {
   EXPECT_EQ(draw::occurrences(curve({"polynomial", "--svg", "-"}), ">μ′ = dμ/dt<"), 1U);
 }
 
+TEST_F(CurveCommand, PictureOfAStepMayHaveARisingRange) {
+  const std::string svg = curve({"polynomial", "--rising-range", "0.2", "--svg", "-"});
+  EXPECT_EQ(draw::xml_fault(svg), "");
+  EXPECT_NE(svg.find(", rising range 0.2<"), std::string::npos);
+  // Five times as steep, in a legend that has factors 1, 1/2 and 1/5 of powers of ten.
+  EXPECT_EQ(draw::occurrences(svg, ">μ′ = 0.2 dμ/dt<"), 1U);
+  EXPECT_TRUE(curve({"polynomial", "--rising-range", "1", "--svg", "-"}) ==
+              curve({"polynomial", "--svg", "-"}));
+}
+
 TEST_F(CurveCommand, PicturesThatComeWithNearfieldAreThoseOfTheCommand) {
   const std::string folder = NEARFIELD_SOURCE_DIR "/host_sim/pictures/";
   for (const char* name : {"bezier", "arctangent"}) {

@@ -22,6 +22,16 @@ TEST_F(CurveRefusals, RefusesTablesThatMissTheErrorAskedFor) {
                  "nearfield curve: arctangent: " + missed);
 }
 
+TEST_F(CurveRefusals, RefusesRisingRangesOfAnythingButPicturesOfSteps) {
+  expect_refused({"polynomial", "--rising-range", "0.5"}, "nearfield: --rising-range goes with --svg");
+  expect_refused({"wyvill", "--rising-range", "0.5", "--svg", "-"},
+                 "nearfield: --rising-range is of steps; wyvill is a potential");
+  for (const char* wrong : {"0", "0.01", "1.5", "x"}) {
+    expect_refused({"polynomial", "--rising-range", wrong, "--svg", "-"},
+                   std::string("nearfield: --rising-range ") + wrong + ": a number from 0.02 to 1");
+  }
+}
+
 TEST_F(CurveRefusals, RefusesWrongNames) {
   expect_refused({"bezir"}, "nearfield curve: unknown curve \"bezir\" (did you mean \"bezier\"?); ");
   expect_refused({"arctan_clamped"},
