@@ -15,17 +15,18 @@ using Q = Fixed<27>;
 int failures = 0;
 
 #ifdef __riscv
+#define NEARFIELD_NUMBER "%0"
 #define NEARFIELD_RETURN "ret"
 #else
+#define NEARFIELD_NUMBER "%c0"
 #define NEARFIELD_RETURN "bx lr"
 #endif
 
 // With the call and the return as many instructions.
 template <int length> [[gnu::naked, gnu::noinline]] void run_block() {
   asm volatile(
-      ".rept %c0       \n"
-      "nop             \n"
-      ".endr           \n" NEARFIELD_RETURN ::"i"(length - 2));
+      ".rept " NEARFIELD_NUMBER
+      "\nnop\n.endr\n" NEARFIELD_RETURN ::"i"(length - 2));
 }
 template <int length> void check_block() {
   for (uint32_t begin = 0; begin < 64; ++begin) {

@@ -91,7 +91,7 @@ int main() {
     Queries queries(program, seed);
     values.note(seed, queries.worst_value());
     if (program.kind() == Kind::distance) clearances.note(seed, queries.worst_clearance());
-    if (program.has_highest() && program.kind() == Kind::intensity) soft_clearances.note(seed, queries.worst_soft_clearance());
+    if (queries.may_be_soft()) soft_clearances.note(seed, queries.worst_soft_clearance());
   }
   write_fact("seeds from ", kFirstSeed, ", ");
   write_fact("", loaded_programs, " programs of ");

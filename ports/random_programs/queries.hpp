@@ -25,6 +25,8 @@ class Queries {
   Worst worst_clearance() {
     return {worst([this](const Vector3<Q>& p) { return of_clearance(p); }), program_.budget(kTarget).gradient};
   }
+  // Whether a soft clearance is answered at all.
+  bool may_be_soft() const { return detail::may_be_asked_softly(program_, {}, slots()); }
   Worst worst_soft_clearance() {
     return {worst([this](const Vector3<Q>& p) { return of_soft_clearance(p); }), soft_clearance_budget(program_, kTarget)};
   }

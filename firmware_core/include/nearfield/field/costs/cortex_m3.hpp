@@ -4,103 +4,103 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m3(operation, item, part) \
-  operation(sphere, 114, 187, 113)                          \
-  operation(capsule, 163, 235, 164)                         \
-  operation(box, 147, 249, 147)                             \
-  operation(cylinder, 215, 355, 215)                        \
-  operation(soft_point, 123, 277, 194)                      \
-  operation(soft_segment, 167, 320, 240)                    \
+  operation(sphere, 108, 189, 111)                          \
+  operation(capsule, 161, 236, 161)                         \
+  operation(box, 141, 250, 144)                             \
+  operation(cylinder, 207, 356, 211)                        \
+  operation(soft_point, 119, 264, 186)                      \
+  operation(soft_segment, 166, 308, 232)                    \
   operation(sharp_union, 23, 37, 25)                        \
-  operation(sharp_intersection, 23, 37, 25)                 \
+  operation(sharp_intersection, 23, 37, 23)                 \
   operation(sharp_subtraction, 24, 49, 26)                  \
-  operation(soft_sum, 21, 44, 21)                           \
+  operation(soft_sum, 21, 57, 21)                           \
   operation(additive_union, 82, 132, 84)                    \
   operation(additive_intersection, 81, 132, 84)             \
   operation(additive_subtraction, 84, 143, 85)              \
   operation(two_sided_union, 90, 141, 91)                   \
-  operation(two_sided_intersection, 90, 141, 89)            \
-  operation(two_sided_subtraction, 91, 156, 92)             \
+  operation(two_sided_intersection, 90, 141, 92)            \
+  operation(two_sided_subtraction, 91, 149, 92)             \
   operation(intensity_union, 23, 37, 26)                    \
   operation(intensity_intersection, 23, 37, 26)             \
   operation(ray_union, 23, 37, 25)                          \
   operation(ray_intersection, 23, 37, 25)                   \
-  operation(potential_of_distance, 87, 197, 115)            \
-  operation(potential_of_ray, 87, 197, 125)                 \
-  operation(variable_influence, 146, 427, 149)              \
-  operation(log_sum_exp_union, 157, 195, 157)               \
-  item(log_sum_exp_union, 53, 114, 53)                      \
-  operation(log_sum_exp_intersection, 157, 195, 157)        \
-  item(log_sum_exp_intersection, 53, 114, 53)               \
-  operation(log_sum_exp_subtraction, 144, 185, 144)         \
-  item(log_sum_exp_subtraction, 58, 122, 58)                \
-  operation(ray_point, 133, 234, 133)                       \
-  operation(ray_segment, 183, 278, 183)                     \
-  operation(ray_linear_union, 143, 271, 157)                \
-  operation(ray_linear_intersection, 143, 264, 160)         \
-  operation(ray_linear_difference, 237, 417, 241)           \
-  operation(ray_plane, 87, 127, 87)                         \
-  operation(algebraic_plane, 57, 93, 57)                    \
-  operation(quadric, 165, 242, 165)                         \
+  operation(potential_of_distance, 87, 196, 115)            \
+  operation(potential_of_ray, 87, 196, 125)                 \
+  operation(variable_influence, 141, 424, 144)              \
+  operation(log_sum_exp_union, 157, 167, 157)               \
+  item(log_sum_exp_union, 53, 115, 53)                      \
+  operation(log_sum_exp_intersection, 157, 167, 157)        \
+  item(log_sum_exp_intersection, 53, 115, 53)               \
+  operation(log_sum_exp_subtraction, 144, 168, 144)         \
+  item(log_sum_exp_subtraction, 58, 121, 58)                \
+  operation(ray_point, 128, 235, 133)                       \
+  operation(ray_segment, 179, 279, 183)                     \
+  operation(ray_linear_union, 143, 261, 157)                \
+  operation(ray_linear_intersection, 143, 254, 159)         \
+  operation(ray_linear_difference, 229, 417, 232)           \
+  operation(ray_plane, 87, 128, 87)                         \
+  operation(algebraic_plane, 57, 94, 57)                    \
+  operation(quadric, 165, 243, 165)                         \
   operation(algebraic_of_distance, 28, 68, 28)              \
-  operation(algebraic_of_ray, 42, 105, 41)                  \
-  operation(hoffmann_hopcroft_union, 125, 469, 128)         \
-  operation(hoffmann_hopcroft_intersection, 142, 491, 145)  \
-  operation(hoffmann_hopcroft_difference, 135, 492, 139)    \
+  operation(algebraic_of_ray, 42, 105, 40)                  \
+  operation(hoffmann_hopcroft_union, 125, 390, 128)         \
+  operation(hoffmann_hopcroft_intersection, 142, 416, 145)  \
+  operation(hoffmann_hopcroft_difference, 135, 422, 139)    \
   operation(functional_spline, 130, 365, 130)               \
   item(functional_spline, 20, 85, 20)                       \
-  operation(ribbon_patch, 534, 697, 534)                    \
-  item(ribbon_patch, 133, 376, 133)                         \
-  operation(corner_patch, 776, 238, 776)                    \
-  item(corner_patch, 207, 619, 207)                         \
+  operation(ribbon_patch, 534, 675, 534)                    \
+  item(ribbon_patch, 133, 377, 133)                         \
+  operation(corner_patch, 757, 246, 757)                    \
+  item(corner_patch, 208, 605, 208)                         \
   operation(algebraic_union, 23, 37, 25)                    \
   operation(algebraic_intersection, 23, 37, 25)             \
-  operation(tapered_capsule, 214, 414, 215)                 \
-  operation(cone_frustum, 248, 387, 250)                    \
-  operation(torus, 187, 351, 189)                           \
-  operation(disc, 195, 345, 195)                            \
-  operation(half_space, 54, 75, 54)                         \
-  operation(infinite_cylinder, 111, 184, 111)               \
-  operation(infinite_cone, 159, 242, 159)                   \
+  operation(tapered_capsule, 209, 412, 216)                 \
+  operation(cone_frustum, 243, 388, 249)                    \
+  operation(torus, 185, 352, 186)                           \
+  operation(disc, 187, 346, 193)                            \
+  operation(half_space, 47, 76, 54)                         \
+  operation(infinite_cylinder, 109, 185, 109)               \
+  operation(infinite_cone, 159, 243, 159)                   \
   operation(offset, 16, 23, 16)                             \
   operation(polygon, 142, 226, 142)                         \
   item(polygon, 58, 58, 58)                                 \
-  operation(polyline, 117, 201, 117)                        \
+  operation(polyline, 116, 201, 116)                        \
   item(polyline, 60, 59, 60)                                \
   operation(cubic_curve, 1110, 1190, 1110)                  \
   item(cubic_curve, 797, 790, 797)                          \
-  operation(bicubic_patch, 4857, 4928, 4857)                \
-  operation(ray_slab, 94, 145, 94)                          \
-  operation(ray_of_distance, 50, 114, 50)                   \
-  operation(ray_sweep, 506, 790, 508)                       \
-  item(ray_sweep, 25, 34, 25)                               \
-  operation(algebraic_torus, 156, 410, 156)                 \
-  operation(noise_intensity, 108, 311, 56)                  \
+  operation(bicubic_patch, 4787, 4860, 4787)                \
+  operation(ray_slab, 89, 146, 94)                          \
+  operation(ray_of_distance, 50, 114, 51)                   \
+  operation(ray_sweep, 421, 725, 428)                       \
+  item(ray_sweep, 26, 39, 26)                               \
+  operation(algebraic_torus, 156, 411, 156)                 \
+  operation(noise_intensity, 108, 312, 56)                  \
   item(noise_intensity, 161, 226, 5)                        \
-  operation(noise_distance, 94, 172, 94)                    \
+  operation(noise_distance, 94, 173, 94)                    \
   item(noise_distance, 161, 226, 161)                       \
-  operation(morph, 31, 66, 32)                              \
-  operation(intensity_morph, 31, 66, 31)                    \
-  operation(ray_morph, 31, 66, 31)                          \
-  operation(swell, 25, 32, 25)                              \
+  operation(morph, 31, 70, 32)                              \
+  operation(intensity_morph, 31, 70, 31)                    \
+  operation(ray_morph, 31, 70, 32)                          \
+  operation(swell, 25, 33, 25)                              \
   operation(fade, 23, 43, 23)                               \
   operation(scale_along, 102, 234, 102)                     \
-  operation(scale_about, 279, 687, 279)                     \
-  operation(scale_from_axis, 145, 360, 145)                 \
-  operation(enter_pose, 119, 178, 150)                      \
-  operation(enter_slot, 114, 163, 151)                      \
-  operation(enter_box, 172, 241, 204)                       \
-  part(query, 28, 224, 90)                                  \
-  part(pose_check, 0, 356, 0)                               \
+  operation(scale_about, 279, 671, 278)                     \
+  operation(scale_from_axis, 145, 345, 145)                 \
+  operation(enter_pose, 119, 180, 209)                      \
+  operation(enter_slot, 114, 163, 210)                      \
+  operation(enter_box, 172, 244, 201)                       \
+  part(query, 31, 225, 87)                                  \
+  part(pose_check, 0, 336, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
   part(c_interface, 0, 508, 0)                              \
   part(c_pose, 0, 25, 0)                                    \
-  part(soft_clearance, 0, 372, 0)                           \
+  part(soft_clearance, 0, 371, 0)                           \
   part(link_poses, 41, 0, 0)                                \
-  part(revolute_joint, 809, 0, 0)                           \
-  part(other_joint, 457, 0, 0)                              \
-  part(placed_body, 119, 0, 0)                              \
-  part(swept_capsule, 296, 0, 0)                            \
+  part(revolute_joint, 823, 0, 0)                           \
+  part(other_joint, 445, 0, 0)                              \
+  part(placed_body, 125, 0, 0)                              \
+  part(swept_capsule, 316, 0, 0)                            \
   part(refinement, 405, 0, 0)                               \
   part(stretch, 3, 0, 0)                                    \
-  part(capsule_pair, 410, 0, 0)                             \
-  part(tick, 2822, 0, 0)
+  part(capsule_pair, 437, 0, 0)                             \
+  part(tick, 2778, 0, 0)
