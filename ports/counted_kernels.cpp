@@ -53,14 +53,14 @@ constexpr Capsule<Q> kCapsule(Vector3<Q>{-0.3, 0.1, 0.0}, Vector3<Q>{0.4, 0.2, 0
 constexpr Box<Q> kBox = {{0.1, 0.0, 0.0}, {0.3, 0.2, 0.4}};
 constexpr auto kUnion = field(unite(kBall, kCapsule));
 
-using ChosenProgram = Program<Q, OnlyOperations<Operation::sphere, Operation::box, Operation::sharp_union>>;
+using Chosen = OnlyOperations<Operation::sphere, Operation::box, Operation::sharp_union>;
 constexpr auto kImage = [] {
   ImageBuilder<Q, 64> image;
   image.operation(kBall).operation(kBox).operation(SharpUnion<Q>{});
   image.finish();
   return image;
 }();
-ChosenProgram program;
+Program<Q, Chosen> program;
 
 }  // namespace
 
@@ -108,7 +108,7 @@ int main() {
   check_block<100>();
   check_block<1001>();
   check_block<4999>();
-  program = load<Q, OnlyOperations<Operation::sphere, Operation::box, Operation::sharp_union>>(kImage.words(), kImage.size() * 4);
+  program = load<Q, Chosen>(kImage.words(), kImage.size() * 4);
   if (!program.valid()) ++failures;
   report<counted_nothing>("nothing");
   report<counted_square_root>("square_root");

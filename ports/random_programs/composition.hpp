@@ -138,8 +138,9 @@ class Composition {
       case 2: return emit(Box<Q>{d.place(), d.lengths(50, 600)});
       case 3: return emit(Cylinder<Q>{d.place(), d.between(50, 500), d.between(50, 500)});
       case 4: {
-        const Vector3<Q> from = d.place();
-        return emit(TaperedCapsule<Q>(from, from + Vector3<Q>{Q(0.3), Q(-0.2), Q(0.4)}, d.between(50, 300), d.between(50, 300)));
+        // Longer than its radii differ.
+        const Vector3<Q> from = d.place(), to = from + Vector3<Q>{Q(0.3), Q(-0.2), Q(0.4)};
+        return emit(TaperedCapsule<Q>(from, to, d.between(50, 300), d.between(50, 300)));
       }
       case 5: return emit(ConeFrustum<Q>(d.place(), d.between(50, 500), d.between(50, 500), d.between(50, 500)));
       case 6: return emit(Torus<Q>{d.place(), d.between(200, 600), d.between(20, 200)});
