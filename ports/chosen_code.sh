@@ -6,9 +6,11 @@ set -eu
 
 prefix=$1
 
-# The headers that instructions come from, those in line included.
+# The headers that instructions come from, those in line included. Not what is data or between functions: sections that were
+# not linked have addresses from 0 on in the debugging information, and would seem to be there.
 headers() {
-  "${prefix}objdump" -d --no-show-raw-insn "$1" | sed -n 's/^ *\([0-9a-f]*\):	.*/0x\1/p' |
+  "${prefix}objdump" -d --no-show-raw-insn "$1" | grep -E -v '	(nop|movs	r0, r0|c?\.?unimp)' |
+    sed -n -E 's/^ *([0-9a-f]+):	[a-z][a-z0-9.]*(	.*)?$/0x\1/p' |
     "${prefix}addr2line" -i -e "$1" | sed -n 's,^.*/nearfield/\([a-z]*/[a-z_]*\.hpp\):.*,\1,p' | sort -u
 }
 # Of these, what a field of those shapes has no need of.

@@ -1,9 +1,8 @@
 #!/bin/sh
-# usage: sizes.sh [--check RECORD COMPILER_VERSION] TARGET SIZE_TOOL [IMAGE BOARD FILE]...
-# Prints a row for each image: bytes of flash, of RAM besides the stack, and of the greatest stack when it runs on the board
-# (a core of toolchains/qemu.sh). With --check every row must stand in RECORD, with no figure that is more than 2 % greater
-# than there. Records hold for one version of the compiler, which they name as `GCC VERSION`; with another the rows are only
-# shown.
+# usage: sizes.sh [--check RECORD COMPILER_VERSION] TARGET SIZE_TOOL [IMAGE FILE]...
+# Prints a row for each image: bytes of flash, of RAM besides the stack, and of the greatest stack when it runs on the
+# target's board. With --check every row must stand in RECORD, with no figure that is more than 2 % greater than there.
+# Records hold for one version of the compiler, which they name as `GCC VERSION`; with another the rows are only shown.
 set -eu
 
 record=""
@@ -18,17 +17,17 @@ shift 2
 toolchains=$(dirname -- "$0")/../toolchains
 
 measure() {
-  while [ $# -ge 3 ]; do
-    stack=$(NEARFIELD_QEMU_ICOUNT=off "$toolchains/qemu.sh" "$2" "$3" | sed -n 's/^stack \([0-9]*\)$/\1/p')
+  while [ $# -ge 2 ]; do
+    stack=$(NEARFIELD_QEMU_ICOUNT=off "$toolchains/qemu.sh" "$target" "$2" | sed -n 's/^stack \([0-9]*\)$/\1/p')
     [ -n "$stack" ] || { echo "$1 does not run" >&2; return 1; }
-    "$size_tool" -A "$3" | awk -v target="$target" -v image="$1" -v stack="$stack" '
+    "$size_tool" -A "$2" | awk -v target="$target" -v image="$1" -v stack="$stack" '
       $1 == ".text" || $1 == ".data" { flash += $2 }
       $1 == ".data" || $1 == ".bss" { ram += $2 }
       END {
         gsub("_", " ", image)
         printf "| `%s` | %s | %d | %d | %d |\n", target, image, flash, ram, stack
       }'
-    shift 3
+    shift 2
   done
 }
 
