@@ -99,7 +99,7 @@
   part(revolute_joint, 5340, 0, 0)                          \
   part(other_joint, 3071, 0, 0)                             \
   part(placed_body, 1148, 0, 0)                             \
-  part(swept_capsule, 1302, 0, 0)                           \
+  part(swept_capsule, 1371, 0, 0)                           \
   part(refinement, 1593, 0, 0)                              \
   part(stretch, 2, 0, 0)                                    \
   part(capsule_pair, 3024, 0, 0)                            \

@@ -99,8 +99,8 @@
   part(revolute_joint, 823, 0, 0)                           \
   part(other_joint, 445, 0, 0)                              \
   part(placed_body, 125, 0, 0)                              \
-  part(swept_capsule, 316, 0, 0)                            \
-  part(refinement, 405, 0, 0)                               \
-  part(stretch, 3, 0, 0)                                    \
+  part(swept_capsule, 327, 0, 0)                            \
+  part(refinement, 419, 0, 0)                               \
+  part(stretch, 2, 0, 0)                                    \
   part(capsule_pair, 437, 0, 0)                             \
   part(tick, 2778, 0, 0)

@@ -99,8 +99,8 @@
   part(revolute_joint, 840, 0, 0)                            \
   part(other_joint, 449, 0, 0)                               \
   part(placed_body, 127, 0, 0)                               \
-  part(swept_capsule, 316, 0, 0)                             \
-  part(refinement, 411, 0, 0)                                \
-  part(stretch, 3, 0, 0)                                     \
+  part(swept_capsule, 331, 0, 0)                             \
+  part(refinement, 424, 0, 0)                                \
+  part(stretch, 2, 0, 0)                                     \
   part(capsule_pair, 442, 0, 0)                              \
   part(tick, 2767, 0, 0)

@@ -99,8 +99,8 @@
   part(revolute_joint, 818, 0, 0)                           \
   part(other_joint, 434, 0, 0)                              \
   part(placed_body, 123, 0, 0)                              \
-  part(swept_capsule, 310, 0, 0)                            \
-  part(refinement, 386, 0, 0)                               \
-  part(stretch, 4, 0, 0)                                    \
+  part(swept_capsule, 327, 0, 0)                            \
+  part(refinement, 400, 0, 0)                               \
+  part(stretch, 3, 0, 0)                                    \
   part(capsule_pair, 435, 0, 0)                             \
   part(tick, 2773, 0, 0)

@@ -99,8 +99,8 @@
   part(revolute_joint, 824, 0, 0)                           \
   part(other_joint, 436, 0, 0)                              \
   part(placed_body, 128, 0, 0)                              \
-  part(swept_capsule, 301, 0, 0)                            \
-  part(refinement, 397, 0, 0)                               \
-  part(stretch, 4, 0, 0)                                    \
+  part(swept_capsule, 315, 0, 0)                            \
+  part(refinement, 411, 0, 0)                               \
+  part(stretch, 3, 0, 0)                                    \
   part(capsule_pair, 442, 0, 0)                             \
   part(tick, 2758, 0, 0)

@@ -99,8 +99,8 @@
   part(revolute_joint, 1342, 0, 0)                         \
   part(other_joint, 689, 0, 0)                             \
   part(placed_body, 227, 0, 0)                             \
-  part(swept_capsule, 448, 0, 0)                           \
-  part(refinement, 612, 0, 0)                              \
+  part(swept_capsule, 457, 0, 0)                           \
+  part(refinement, 614, 0, 0)                              \
   part(stretch, 2, 0, 0)                                   \
   part(capsule_pair, 700, 0, 0)                            \
   part(tick, 3091, 0, 0)

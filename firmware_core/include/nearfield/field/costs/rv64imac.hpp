@@ -99,8 +99,8 @@
   part(revolute_joint, 728, 0, 0)                          \
   part(other_joint, 388, 0, 0)                             \
   part(placed_body, 145, 0, 0)                             \
-  part(swept_capsule, 448, 0, 0)                           \
-  part(refinement, 706, 0, 0)                              \
+  part(swept_capsule, 486, 0, 0)                           \
+  part(refinement, 711, 0, 0)                              \
   part(stretch, 2, 0, 0)                                   \
   part(capsule_pair, 742, 0, 0)                            \
   part(tick, 3050, 0, 0)
