@@ -1,6 +1,8 @@
 #include "compile/field_emitter.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <utility>
 
 #include "operators/list.hpp"
@@ -16,6 +18,10 @@ bool has_declared_box(const FieldNode& node) {
   if (node.operator_->name == "declared_box") return true;
   return node.kind == FieldKind::distance &&
          std::any_of(node.operands.begin(), node.operands.end(), has_declared_box);
+}
+
+Operation leave_of(Operation enter) {
+  return enter == Operation::enter_scale ? Operation::leave_scale : Operation::leave;
 }
 
 struct Misfit {
@@ -116,9 +122,23 @@ void FieldEmitter::placed(const Placement& placement, const std::function<void(c
   in_frame(placement, [&] { shape(Vector3d{}); });
 }
 
+void FieldEmitter::scaled(double factor, const std::function<void()>& add) {
+  const std::size_t first = steps_.size();
+  open_frames_.push_back(first);
+  with_scalar(scalar_, [&](auto zero) {
+    using S = decltype(zero);
+    struct {
+      UniformScale<S> scale;
+      std::uint32_t kind;
+    } const entered{UniformScale<S>(quantise<S>(factor)), static_cast<std::uint32_t>(node_->kind)};
+    add_words(Operation::enter_scale, &entered, payload_words<decltype(entered)>);
+  });
+  inside(add);
+}
+
 void FieldEmitter::inside(const std::function<void()>& add) {
   add();
-  add_words(Operation::leave, nullptr, 0);
+  add_words(leave_of(steps_[open_frames_.back()].operation), nullptr, 0);
   open_frames_.pop_back();
 }
 
@@ -149,12 +169,39 @@ void FieldEmitter::in_declared_box(const FieldNode& node, const Vector3d& half) 
   });
 }
 
-std::vector<double> FieldEmitter::values_of(const FieldNode& node, const std::string& key,
-                                            const FieldNode& below, const std::vector<Vector3d>& points) {
+std::vector<FieldStep> FieldEmitter::steps_of(const FieldNode& below) {
   const std::size_t first = steps_.size();
   operand(below);
-  const std::vector<FieldStep> steps(steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
+  std::vector<FieldStep> steps(steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
   steps_.resize(first);
+  return steps;
+}
+
+std::optional<RayField> FieldEmitter::ray_field(const FieldNode& below) {
+  if (inside_ray_field_) return std::nullopt;
+  inside_ray_field_ = true;
+  const std::vector<FieldStep> steps = steps_of(below);
+  inside_ray_field_ = false;
+  return with_scalar(scalar_, [&](auto zero) -> std::optional<RayField> {
+    using S = decltype(zero);
+    const auto field = std::make_shared<const CompiledField<S>>(inspected<S>(steps));
+    const Program<S> program(field->image.data(), field->inspection);
+    if (program.slot_count() != 0 || program.parameter_count() != 0) return std::nullopt;
+    const Certificate<S>& certificate = program.certificate();
+    RayField result;
+    result.value = [field, program](const Vector3d& point) {
+      return ScalarTraits<S>::to_double(program.template evaluate<Value<S>>(quantise<S>(point), nullptr).value);
+    };
+    result.rate = certificate.lipschitz == kNoRateBound ? std::numeric_limits<double>::infinity()
+                                                        : certificate.lipschitz.to_double() * (1 << -kGradientLengthLog2);
+    result.error = ScalarTraits<S>::to_double(certificate.error);
+    return result;
+  });
+}
+
+std::vector<double> FieldEmitter::values_of(const FieldNode& node, const std::string& key,
+                                            const FieldNode& below, const std::vector<Vector3d>& points) {
+  const std::vector<FieldStep> steps = steps_of(below);
   return with_scalar(scalar_, [&](auto zero) {
     using S = decltype(zero);
     const CompiledField<S> field = inspected<S>(steps);
@@ -193,6 +240,10 @@ void FieldEmitter::refuse(const FieldNode& node, const std::string& key, const s
                           const std::string& allowed) const {
   throw InputError(file_, node.place_of(key.substr(0, key.find('['))), node.path + "." + key, message,
                    allowed);
+}
+
+void FieldEmitter::refuse(const FieldNode& node, const std::string& message, const std::string& allowed) const {
+  throw InputError(file_, node.position, node.path, message, allowed);
 }
 
 std::string FieldEmitter::misfit(double value) const {
@@ -244,7 +295,9 @@ std::vector<FieldStep> FieldEmitter::within_open_frames(std::size_t first) const
   std::vector<FieldStep> steps;
   for (const std::size_t frame : open_frames_) steps.push_back(steps_[frame]);
   steps.insert(steps.end(), steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
-  for (std::size_t i = 0; i < open_frames_.size(); ++i) steps.push_back({node_, Operation::leave, {}});
+  for (std::size_t i = open_frames_.size(); i-- > 0;) {
+    steps.push_back({node_, leave_of(steps_[open_frames_[i]].operation), {}});
+  }
   return steps;
 }
 

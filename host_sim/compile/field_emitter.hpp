@@ -4,12 +4,14 @@
 #include <cstring>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include <nearfield/field/program.hpp>
 
+#include "compile/contour_cut.hpp"
 #include "compile/field_steps.hpp"
 #include "compile/quantise.hpp"
 #include "compile/scalar_limits.hpp"
@@ -49,6 +51,8 @@ class FieldEmitter {
   // of its own.
   void in_frame(const Placement& placement, const std::function<void()>& inside);
   void placed(const Placement& placement, const std::function<void(const Vector3d& at)>& shape);
+  // What inside() adds, so many times as large. Blames `scale` of the node that is being added.
+  void scaled(double factor, const std::function<void()>& inside);
   // The one node below within a declared box of these half extents, in m.
   void in_declared_box(const FieldNode& node, const Vector3d& half);
 
@@ -59,6 +63,9 @@ class FieldEmitter {
   Certificate<S> certificate_since(std::size_t first) {
     return inspected<S>(within_open_frames(first)).inspection.certificate;
   }
+  // A node below by itself, in the frame of the node that is being added. Nothing if it moves with a link or changes with
+  // a parameter, nor within another one: a node that asks for it asks again when it is added for good.
+  std::optional<RayField> ray_field(const FieldNode& below);
   // The values of a node below at points of the frame of the node that is being added. Blames node.key when
   // it moves with a link.
   std::vector<double> values_of(const FieldNode& node, const std::string& key, const FieldNode& below,
@@ -70,6 +77,7 @@ class FieldEmitter {
   void require_coordinates(const FieldNode& node, const std::string& key, const Vector3d& point) const;
   [[noreturn]] void refuse(const FieldNode& node, const std::string& key, const std::string& message,
                            const std::string& allowed) const;
+  [[noreturn]] void refuse(const FieldNode& node, const std::string& message, const std::string& allowed) const;
   // `... does not fit q27`, for messages.
   std::string misfit(double value) const;
 
@@ -101,6 +109,8 @@ class FieldEmitter {
   void check_parameters(const FieldNode& node) const;
   void inside(const std::function<void()>& add);
   std::vector<FieldStep> within_open_frames(std::size_t first) const;
+  // What a node below is made of.
+  std::vector<FieldStep> steps_of(const FieldNode& below);
 
   // Steps that must load; what keeps them from it is blamed.
   template <class S>
@@ -121,6 +131,7 @@ class FieldEmitter {
   std::vector<FieldStep> steps_;
   std::vector<std::size_t> open_frames_;  // the steps that entered them
   const FieldNode* node_ = nullptr;       // to blame for what is being added
+  bool inside_ray_field_ = false;
 };
 
 }  // namespace nearfield::host

@@ -151,7 +151,8 @@ void read_curves(const JsonNode& node, FieldNode& field) {
 }
 
 bool gives_placement(const JsonNode& node) {
-  return node.has("position") || node.has("orientation_xyzw") || node.has("rpy") || node.has("link");
+  return node.has("position") || node.has("orientation_xyzw") || node.has("rpy") || node.has("link") ||
+         node.has("scale");
 }
 
 void read_link(const JsonNode& node, bool inside_placed, FieldNode& field) {
@@ -184,7 +185,7 @@ FieldNode read_node(const JsonNode& node, std::optional<FieldKind> wanted, bool 
   const bool placed = gives_placement(node);
   if (description.needs_placement && !placed) {
     node.fail(in_quotes(description.name) + " without a placement",
-              "at least one of position, orientation_xyzw, rpy, link");
+              "at least one of position, orientation_xyzw, rpy, link, scale");
   }
   if (description.most_operands > 0) {
     std::optional<FieldKind> operand_kind = description.operand_kind;

@@ -16,6 +16,11 @@ struct Placement {
   Rotation rotation{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 };
 
+inline bool is_identity(const Placement& placement) {
+  const Vector3d& at = placement.position;
+  return at.x == 0.0 && at.y == 0.0 && at.z == 0.0 && placement.rotation == Placement{}.rotation;
+}
+
 inline Vector3d rotate(const Rotation& r, const Vector3d& v) {
   return {r[0] * v.x + r[1] * v.y + r[2] * v.z, r[3] * v.x + r[4] * v.y + r[5] * v.z,
           r[6] * v.x + r[7] * v.y + r[8] * v.z};

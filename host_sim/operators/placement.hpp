@@ -17,10 +17,14 @@ struct PlaceOperator {
     description.placement = PlacementParts::position_and_orientation;
     description.takes_link = true;
     description.needs_placement = true;
+    description.parameters = {{"scale", 1, {0.125, 8.0, {}}, {1.0}}};
     return description;
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
-    emitter.in_frame(node.placement, [&] { emitter.operand(node.operands.front()); });
+    const double scale = node.number("scale");
+    const auto operand = [&] { emitter.operand(node.operands.front()); };
+    const auto sized = [&] { scale == 1.0 ? operand() : emitter.scaled(scale, operand); };
+    is_identity(node.placement) ? sized() : emitter.in_frame(node.placement, sized);
   }
 };
 

@@ -194,12 +194,29 @@ struct VariableInfluenceOperator {
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
     const double inner_range = node.number("inner_range");
+    require_contour_outside(emitter, node);
     emitter.fold(node, [&] {
       emitter.operation([&](auto zero) {
         using S = decltype(zero);
         return VariableInfluence<S>(quantise<S>(inner_range));
       });
     });
+  }
+
+ private:
+  // Of operands that neither move nor change: of others it cannot be told.
+  static void require_contour_outside(FieldEmitter& emitter, const FieldNode& node) {
+    const std::optional<RayField> object = emitter.ray_field(node.operands[0]);
+    const std::optional<RayField> contour = emitter.ray_field(node.operands[1]);
+    if (!object || !contour) return;
+    const std::optional<ContourCut> cut = contour_cut(*object, *contour, emitter.limits().domain);
+    if (!cut) return;
+    const Vector3d& at = cut->at;
+    emitter.refuse(node.operands[1],
+                   "the contour cuts the object: at (" + format_number(at.x) + ", " + format_number(at.y) + ", " +
+                       format_number(at.z) + ") m the object's ray value is " + format_number(cut->object) +
+                       " and the contour's " + format_number(cut->contour),
+                   "a contour whose ray value is below 1 wherever the object's is at most 0.5");
   }
 };
 

@@ -200,8 +200,11 @@ class Trial {
   // The whole program, for frames.
   Builder& whole() { return whole_; }
 
-  // `frame`: where the operands are in the whole program.
-  Budget worst(const char* what, const Pose<Q>& frame = kPoses[0]) {
+  Budget worst(const char* what) {
+    return worst(what, [](const Vector3<Q>& p) { return p; });
+  }
+  // to_inner: where the whole program asks its operands.
+  template <class ToInner> Budget worst(const char* what, ToInner&& to_inner) {
     const Program<Q> whole = loaded(whole_, what);
     Program<Q> operands[kStackDepth];
     for (int i = 0; i < operand_count_; ++i) operands[i] = loaded(operands_[i], what);
@@ -209,7 +212,7 @@ class Trial {
     Budget worst;
     Random random;
     for (int i = 0; i < kPoints / (operand_count_ + 1); ++i) {
-      const Place at = random.place(), inner = {to_inner(frame, at.point), at.radius};
+      const Place at = random.place(), inner = {to_inner(at.point), at.radius};
       worst = greatest_of_both(worst, {beyond_operands<Value<Q>>(whole, at, operands, inner, evaluation.value),
                                        beyond_operands<Sample<Q>>(whole, at, operands, inner, evaluation.gradient),
                                        beyond_operands<Highest<Q>>(whole, at, operands, inner, evaluation.highest)});

@@ -96,8 +96,15 @@ class Composition {
     }
   }
 
-  template <class Inner> void framed(Inner&& inner) {
+  template <class Inner> void framed(Kind kind, Inner&& inner) {
     ++frames_;
+    if (draw_.one_in(3)) {
+      builder().enter_scale(UniformScale<Q>(draw_.between(600, 2000)), kind);
+      inner();
+      builder().leave_scale();
+      --frames_;
+      return;
+    }
     if (draw_.one_in(3)) {
       const uint32_t slot = draw_.below(least_of_two<uint32_t>(poses_ + 1, 4));
       poses_ = greatest_of_two(poses_, slot + 1);
@@ -119,7 +126,7 @@ class Composition {
   // Distances. Those within a box may not be blended, only have an edge in common with others.
   void distance(uint32_t nodes, bool may_be_partial = false) {
     if (nodes == 1) return distance_leaf();
-    if (may_enter()) return framed([&] { distance(nodes - 1, may_be_partial); });
+    if (may_enter()) return framed(Kind::distance, [&] { distance(nodes - 1, may_be_partial); });
     if (may_be_partial && frames_ < 3 && draw_.one_in(6)) return boxed(nodes - 1);
     if (nodes == 2 || draw_.one_in(6)) return changed_distance(nodes - 1);
     if (draw_.one_in(5)) return joined_distances(nodes - 1);
@@ -215,7 +222,7 @@ class Composition {
       if (d.one_in(2)) return emit(SoftPoint<Q>{d.place(), influence}, SharedTable::squared_potential);
       return emit(SoftSegment<Q>{d.segment(), influence}, SharedTable::squared_potential);
     }
-    if (may_enter()) return framed([&] { intensity(nodes - 1); });
+    if (may_enter()) return framed(Kind::intensity, [&] { intensity(nodes - 1); });
     if (nodes == 2 || d.one_in(4)) return changed_intensity(nodes - 1);
     const uint32_t first = share_of(nodes);
     intensity(first);
@@ -247,7 +254,7 @@ class Composition {
   // Rays.
   void ray(uint32_t nodes) {
     if (nodes == 1) return ray_leaf();
-    if (may_enter()) return framed([&] { ray(nodes - 1); });
+    if (may_enter()) return framed(Kind::ray, [&] { ray(nodes - 1); });
     if (nodes == 2 || draw_.one_in(4)) return changed_ray(nodes - 1);
     const uint32_t first = share_of(nodes);
     ray(first);
@@ -325,7 +332,7 @@ class Composition {
   // Algebraic values.
   void algebraic(uint32_t nodes) {
     if (nodes == 1) return algebraic_leaf();
-    if (may_enter()) return framed([&] { algebraic(nodes - 1); });
+    if (may_enter()) return framed(Kind::algebraic, [&] { algebraic(nodes - 1); });
     if (nodes == 2 || draw_.one_in(5)) return algebraic_of_others(nodes - 1);
     if (nodes >= 5 && draw_.one_in(3)) return patch(nodes - 1);
     if (draw_.one_in(5)) return spline(nodes - 1);

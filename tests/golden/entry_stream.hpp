@@ -216,6 +216,7 @@ struct Entries {
     for (uint32_t i = 0; i < 3; ++i) corners.side_weight[i] = metres(0.5);
     corners.centre_weight = metres(-0.25);
     digest.add(combine(corners, a, b, c, d, b, a));
+    digest.add(scaled(metres(1.5), combine(AlgebraicUnion<S>{}, a, c)));
     digest.add(in_box(at(0.5, 0.75, 0.5), combine(HoffmannHopcroftUnion<S>::of(metres(0.5), metres(0.75), metres(0.25)), a, b)));
   }
 };

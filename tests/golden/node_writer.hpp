@@ -45,6 +45,12 @@ class NodeWriter {
     builder_.leave();
   }
   template <class A>
+  constexpr void write(const Scaled<A>& node) {
+    builder_.enter_scale(node.scale, A::kind);
+    write(node.a);
+    builder_.leave_scale();
+  }
+  template <class A>
   constexpr void write(const InSlot<A>& node) {
     builder_.enter_slot(node.slot);
     write(node.a);

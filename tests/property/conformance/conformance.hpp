@@ -10,8 +10,10 @@
 ///   template <class S> static auto node(const Parameters&);   a static composition of them, rounded
 ///   static Real value(const Parameters&, const Vec3& p);      written independently; exact
 /// if its composition samples tables, `template <class S, class Writer> static void tables(Writer&)`; if its
-/// directions are found by iteration, `static constexpr Real direction_tolerance`; and if its reference takes long,
-/// `static constexpr int one_draw_in`: only one of so many is made.
+/// directions are found by iteration, `static constexpr Real direction_tolerance`; if its reference takes long,
+/// `static constexpr int one_draw_in`: only one of so many is made; and if queries hand it anything, `template <class S>
+/// static Given<S> given(const Parameters&)`. One that blends distances has `static constexpr bool unit_directions =
+/// false`: its gradients may be shorter.
 
 #include <golden/node_writer.hpp>
 #include <nearfield/field/program.hpp>
@@ -39,7 +41,8 @@ namespace conformance {
 template <class S>
 constexpr int draws = std::is_same_v<S, Fixed<27>> ? 400 : 200;
 constexpr int points_of_a_draw = 120;
-constexpr Real least_step_of_slopes = 1e-5L;  // m, for differences of the reference
+constexpr Real least_step_of_slopes = 1e-5L;     // m, for differences of the reference
+constexpr Real kinks_that_slopes_miss = 1e-4L;  // by which they may be off where they count as settled
 
 template <class Row, class S, class = void>
 constexpr int draws_of = draws<S>;
@@ -55,6 +58,26 @@ struct TablesOf<Row, Writer, S, decltype(Row::template tables<S>(std::declval<Wr
   static void add(Writer& writer) { Row::template tables<S>(writer); }
 };
 
+/// The pose and the parameter of slot 0.
+template <class S>
+struct Given {
+  Pose<S> pose;
+  S parameter{};
+};
+template <class Row, class S, class = void>
+struct GivenTo {
+  static Given<S> by(const typename Row::Parameters&) { return {}; }
+};
+template <class Row, class S>
+struct GivenTo<Row, S, std::void_t<decltype(Row::template given<S>(std::declval<typename Row::Parameters>()))>> {
+  static Given<S> by(const typename Row::Parameters& parameters) { return Row::template given<S>(parameters); }
+};
+
+template <class Row, class = void>
+struct UnitDirections : std::true_type {};
+template <class Row>
+struct UnitDirections<Row, std::void_t<decltype(Row::unit_directions)>> : std::bool_constant<Row::unit_directions> {};
+
 /// A node as a static field and as a program.
 template <class Row, class S>
 class Entry {
@@ -63,7 +86,7 @@ class Entry {
   using Writer = golden::NodeWriter<S, 4096, typename Row::Operations>;
 
   explicit Entry(const typename Row::Parameters& parameters)
-      : node_(Row::template node<S>(parameters)), field_(node_), writer_(std::make_unique<Writer>()) {
+      : node_(Row::template node<S>(parameters)), field_(node_), given_(GivenTo<Row, S>::by(parameters)), writer_(std::make_unique<Writer>()) {
     TablesOf<Row, Writer, S>::add(*writer_);
     writer_->write(node_);
     const Inspection<S> inspection = writer_->builder().finish();
@@ -75,16 +98,19 @@ class Entry {
   const Certificate<S>& program_certificate() const { return program_.certificate(); }
   template <class Out>
   Out in_field(const Vector3<S>& p) const {
-    return field_.template evaluate<Out>(p, nullptr);
+    return field_.template evaluate<Out>(p, slots());
   }
   template <class Out>
   Out in_program(const Vector3<S>& p) const {
-    return program_.template evaluate<Out>(p, nullptr);
+    return program_.template evaluate<Out>(p, slots());
   }
 
  private:
+  Slots<S> slots() const { return {&given_.pose, 1, &given_.parameter, 1}; }
+
   Node node_;
   Field<Node> field_;
+  Given<S> given_;
   std::unique_ptr<Writer> writer_;
   Program<S, typename Row::Operations> program_;
 };
@@ -131,6 +157,7 @@ class Judge {
 
  private:
   static constexpr bool is_distance = Entry<Row, S>::Node::kind == Kind::distance;
+  static constexpr bool has_unit_directions = is_distance && UnitDirections<Row>::value;
   static constexpr Real per_metre = is_distance ? 1 : 16;  // of gradients and rates
 
   void judge(const typename Row::Parameters& parameters, bool must_be_valid) {
@@ -204,7 +231,7 @@ class Judge {
   // A unit vector or none; compared with differences of the reference where these settle.
   void judge_direction(const typename Row::Parameters& parameters, const Sample<S>& sample, const Vec3& at, Real certified) {
     const Vec3 gradient = real(sample.gradient);
-    if constexpr (is_distance) {
+    if constexpr (has_unit_directions) {
       const Real length = reference::norm(gradient);
       const Real unit = last_place<S>(1);
       const Real off = std::fabs(length - 1) / unit;
@@ -224,6 +251,7 @@ class Judge {
                            Tolerance<Row>::value * steepness;
     const Real off = reference::distance(per_metre * gradient, slopes.mean);
     worst_direction_ = std::max(worst_direction_, off / steepness);
+    if (apart < 1e-4L * steepness) worst_smooth_ = std::max(worst_smooth_, off / steepness);
     direction_.check(off <= tolerance + per_metre * last_place<S>(1), [&](std::ostream& out) {
       out << "off by " << off << ", allowed " << tolerance << " at " << at.x << " " << at.y << " " << at.z << ", gradient "
           << gradient.x << " " << gradient.y << " " << gradient.z << " times " << per_metre << " instead of "
@@ -262,20 +290,21 @@ class Judge {
     rate_.expect_none(name + ": Lipschitz");
     EXPECT_GT(valid_, (draws_of<Row, S> / 2)) << name;
     EXPECT_GT(directions_, points_ / 8) << name;
+    EXPECT_LE(worst_smooth_, kinks_that_slopes_miss + Tolerance<Row>::value + 4 * per_metre * last_place<S>(1)) << name;
     const Real unit = last_place<S>(real(ScalarTraits<S>::domain()));
     if constexpr (Row::exact_solid && std::is_same_v<S, Fixed<27>>) {
       EXPECT_LE(certified_, std::max(above_, below_) + 16 * unit) << name;
     }
     std::printf("%-36s %7lld points: error %.3g below to %.3g above, certified %.3g (share %.3f); direction off by "
-                "%.2g, its length by %.1f units; rate %.4f of the certified\n",
+                "%.2g (%.2g), its length by %.1f units; rate %.4f of the certified\n",
                 name.c_str(), points_, static_cast<double>(below_ / unit), static_cast<double>(above_ / unit),
-                static_cast<double>(certified_ / unit), static_cast<double>(share_), static_cast<double>(worst_direction_),
+                static_cast<double>(certified_ / unit), static_cast<double>(share_), static_cast<double>(worst_direction_), static_cast<double>(worst_smooth_),
                 static_cast<double>(length_), static_cast<double>(rate_share_));
   }
 
   Random random_;
   Failures agreement_, validity_, error_, unit_, direction_, rate_;
-  Real above_ = 0, below_ = 0, certified_ = 0, share_ = 0, worst_direction_ = 0, length_ = 0, rate_share_ = 0;
+  Real above_ = 0, below_ = 0, certified_ = 0, share_ = 0, worst_direction_ = 0, worst_smooth_ = 0, length_ = 0, rate_share_ = 0;
   long long points_ = 0, directions_ = 0;
   int valid_ = 0;
 };

@@ -22,9 +22,13 @@ struct Skeleton {
   Vec3 from, axis{0, 0, 1};
   Real length = 0, radius = 1;
   template <class S>
-  RaySegment<S> ray() const {
+  Capsule<S> capsule(Real thickness) const {
     const auto unit = length > 0 ? rounded<Unit<S>>(axis) : Vector3<Unit<S>>{};
-    return {Capsule<S>(rounded<S>(from), unit, rounded<S>(length), S{}), RayRadius<S>(rounded<S>(radius))};
+    return Capsule<S>(rounded<S>(from), unit, rounded<S>(length), rounded<S>(thickness));
+  }
+  template <class S>
+  RaySegment<S> ray() const {
+    return {capsule<S>(0), RayRadius<S>(rounded<S>(radius))};
   }
   Real cut_off(const Vec3& p, Real cut) const {
     return std::min(cut, reference::point_segment_distance(p, {from, from + length * axis}) / radius);

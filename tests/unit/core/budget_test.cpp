@@ -35,7 +35,8 @@ TEST(Budget, EveryOperationIsStatedOnEveryTarget) {
 #define NEARFIELD_CHECK(code, name, type) check(Operation::name, #name, detail::has_items<type<S>>);
     NEARFIELD_OPERATIONS(NEARFIELD_CHECK)
 #undef NEARFIELD_CHECK
-    for (const Operation frame : {Operation::enter_pose, Operation::enter_slot, Operation::enter_box}) {
+    for (const Operation frame : {Operation::enter_pose, Operation::enter_slot, Operation::enter_box,
+                                  Operation::enter_scale}) {
       EXPECT_TRUE(measured(target->cost(frame)));
       EXPECT_GT(target->cost(frame).value, 0u);
     }

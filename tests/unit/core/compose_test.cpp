@@ -287,6 +287,8 @@ TYPED_TEST(Composition, Frames) {
   for (int i = 0; i < kFields; ++i) {
     const S r = parts.blend_radius();
     comparison.expect_same("placed", place(parts.pose(0.5L), parts.cylinder()), kPoints);
+    comparison.expect_same("twice as large", scaled(metres<S>(2.0L), place(parts.pose(0.2L), parts.cylinder())), kPoints);
+    comparison.expect_same("smaller, in a slot", in_slot(parts.slot(), scaled(metres<S>(0.75L), parts.sphere())), kPoints);
     comparison.expect_same("in a slot", in_slot(parts.slot(), unite(kernel, r, parts.box(), parts.sphere())),
                            kPoints);
     comparison.expect_same(
@@ -309,6 +311,7 @@ TYPED_TEST(Composition, SoftSums) {
   for (int i = 0; i < kFields; ++i) {
     comparison.expect_same("sum", soft_sum(parts.soft_point(), parts.soft_segment(), parts.soft_point()),
                            kPoints);
+    comparison.expect_same("scaled sum", scaled(metres<S>(3.0L), soft_sum(parts.soft_point(), parts.soft_segment())), kPoints);
     comparison.expect_same(
         "placed sum",
         soft_sum(place(parts.pose(0.4L), parts.soft_segment()), in_slot(parts.slot(), parts.soft_point())),

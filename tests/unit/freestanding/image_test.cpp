@@ -294,7 +294,44 @@ TYPED_TEST(ImageOf, Frames) {
       << "an operand from outside the frame";
   Image payload = small_distance_image<S>();
   payload[find_operation(payload, Operation::leave)] |= 1u << 8;
-  EXPECT_EQ(status_with_good_crc<S>(payload), unbalanced) << "`leave` with a payload";
+  EXPECT_EQ(status_with_good_crc<S>(payload), LoadStatus::truncated_operation) << "`leave` with a payload";
+}
+
+TYPED_TEST(ImageOf, Sizes) {
+  using S = TypeParam;
+  const UniformScale<S> twice(metres<S>(2));
+  const auto status = [](auto build) { return status_of_program<S>(build); };
+  EXPECT_EQ(status([&](auto& b) { b.enter_scale(twice, Kind::distance).operation(ball<S>()).leave_scale(); }), LoadStatus::ok);
+  EXPECT_EQ(status([&](auto& b) { b.enter_scale(twice, Kind::ray).operation(ball<S>()).leave_scale(); }), LoadStatus::kind_mismatch);
+  EXPECT_EQ(status([&](auto& b) { b.enter_scale(twice, static_cast<Kind>(9)).operation(ball<S>()).leave_scale(); }),
+            LoadStatus::kind_mismatch);
+  const LoadStatus unbalanced = LoadStatus::frames_unbalanced;
+  EXPECT_EQ(status([&](auto& b) { b.enter_scale(twice, Kind::distance).operation(ball<S>()); }), unbalanced);
+  EXPECT_EQ(status([&](auto& b) { b.enter_scale(twice, Kind::distance).operation(ball<S>()).leave(); }), unbalanced);
+  EXPECT_EQ(status([&](auto& b) { b.enter(Pose<S>{}).operation(ball<S>()).leave_scale(); }), unbalanced);
+  EXPECT_EQ(status([&](auto& b) { b.enter_scale(twice, Kind::distance).leave_scale(); }), unbalanced);
+  EXPECT_EQ(status([&](auto& b) { b.operation(ball<S>()).leave_scale(); }), unbalanced);
+  const auto refused = [&](const char* what, const UniformScale<S>& scale) {
+    EXPECT_EQ(status([&](auto& b) { b.enter_scale(scale, Kind::distance).operation(ball<S>()).leave_scale(); }),
+              LoadStatus::parameter_out_of_range)
+        << what;
+  };
+  UniformScale<S> wrong = twice;
+  wrong.inverse = metres<S>(0.25);
+  refused("not its inverse", wrong);
+  refused("zero", UniformScale<S>(S{}));
+  refused("negative", UniformScale<S>(-metres<S>(2)));
+  refused("below 1/8", UniformScale<S>(metres<S>(0.12)));
+  refused("above 8", UniformScale<S>(metres<S>(8) + metres<S>(0.01)));
+  const auto nested = [&](int count) {
+    return status([&](auto& b) {
+      for (int i = 0; i < count; ++i) b.enter_scale(UniformScale<S>(metres<S>(1)), Kind::distance);
+      b.operation(ball<S>());
+      for (int i = 0; i < count; ++i) b.leave_scale();
+    });
+  };
+  EXPECT_EQ(nested(kFrameDepth), LoadStatus::ok);
+  EXPECT_EQ(nested(kFrameDepth + 1), LoadStatus::frames_too_deep);
 }
 
 TYPED_TEST(ImageOf, ParametersOutOfRange) {

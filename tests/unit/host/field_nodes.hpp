@@ -63,7 +63,7 @@ inline const std::map<std::string_view, std::string> operator_rows = {
     {"cubic_union", "\"blend_radius\": 0.4"},
     {"cubic_intersection", "\"blend_radius\": 0.4"},
     {"cubic_subtraction", "\"blend_radius\": 0.4"},
-    {"place", "\"position\": [0.1, 0, 0], \"rpy\": [0, 0, 1]"},
+    {"place", "\"position\": [0.1, 0, 0], \"rpy\": [0, 0, 1], \"scale\": 1.25"},
     {"soft_point", "\"influence_radius\": 1, \"weight\": 0.75"},
     {"soft_segment", "\"influence_radius\": 1, \"from\": [0, 0, 0], \"to\": [0.2, 0, 0.1]"},
     {"soft_sum", ""},

@@ -82,7 +82,7 @@ class Target {
   // An operation in an image, dispatch included; of any number of items, what none would cost. A frame's cost is that of
   // entering and leaving together.
   constexpr Budget cost(Operation operation) const {
-    if (operation == Operation::leave || operation == Operation::leave_box) return {};
+    if (operation == Operation::leave || operation == Operation::leave_box || operation == Operation::leave_scale) return {};
     const auto code = static_cast<uint32_t>(operation);
     return code < operation_count ? operations_[code].budget() : detail::kNotMeasured;
   }

@@ -62,6 +62,17 @@ template <class S, uint32_t Capacity, class Operations = AllOperations> class Im
     append_payload(box);
     return *this;
   }
+  // Of a field of that kind.
+  constexpr ImageBuilder& enter_scale(const UniformScale<S>& scale, Kind kind) {
+    append(static_cast<uint32_t>(Operation::enter_scale) | (payload_words<UniformScale<S>> + 1) << 8);
+    append_payload(scale);
+    append(static_cast<uint32_t>(kind));
+    return *this;
+  }
+  constexpr ImageBuilder& leave_scale() {
+    append(static_cast<uint32_t>(Operation::leave_scale));
+    return *this;
+  }
   constexpr ImageBuilder& leave() {
     append(static_cast<uint32_t>(Operation::leave));
     return *this;

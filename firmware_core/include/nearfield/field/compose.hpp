@@ -38,6 +38,12 @@ template <class A> struct InBox {
   DeclaredBox<Scalar> box;
   A a;
 };
+template <class A> struct Scaled {
+  using Scalar = typename A::Scalar;
+  static constexpr Kind kind = A::kind;
+  UniformScale<Scalar> scale;
+  A a;
+};
 template <class A> struct InSlot {
   using Scalar = typename A::Scalar;
   static constexpr Kind kind = A::kind;
@@ -233,6 +239,27 @@ template <class A> struct NodeTraits<Placed<A>> {
   static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
 };
 
+template <class A> struct NodeTraits<Scaled<A>> {
+  using Node = Scaled<A>;
+  using S = typename Node::Scalar;
+  template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
+    return node.scale.to_outer(A::kind, NodeTraits<A>::template evaluate<Out>(node.a, node.scale.to_inner(p), slots));
+  }
+  static constexpr bool has_highest = NodeTraits<A>::has_highest;
+  static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
+    return node.scale.to_outer(
+        A::kind, NodeTraits<A>::highest(node.a, node.scale.to_inner(p), node.scale.to_inner(ball), slots));
+  }
+  static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
+    return node.scale.certificate(NodeTraits<A>::certificate(node.a, node.scale.reach(reach)), A::kind, reach);
+  }
+  static constexpr Budget budget(const Node& node, const Target& target) {
+    return NodeTraits<A>::budget(node.a, target) + target.cost(Operation::enter_scale);
+  }
+  static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
+  static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
+};
+
 template <class A> struct NodeTraits<InBox<A>> {
   using Node = InBox<A>;
   using S = typename Node::Scalar;
@@ -382,6 +409,11 @@ template <class A, class B, class... More> constexpr auto soft_sum(const A& a, c
 // The same field elsewhere: at a fixed pose, or at the pose number `slot` of those passed with each query.
 template <class A> constexpr Placed<A> place(const Pose<typename A::Scalar>& pose, const A& a) { return {pose, a}; }
 template <class A> constexpr InSlot<A> in_slot(uint32_t slot, const A& a) { return {slot, a}; }
+
+// The same field `factor` times as large about the local origin; a frame of that size is a scale within a pose.
+template <class A> constexpr Scaled<A> scaled(detail::NotDeduced<typename A::Scalar> factor, const A& a) {
+  return {UniformScale<typename A::Scalar>(factor), a};
+}
 
 // The distance that an algebraic field gives within the box |x| <= half.x ... about the local origin: see DeclaredBox.
 template <class A> constexpr InBox<A> in_box(const Vector3<typename A::Scalar>& half, const A& a) {

@@ -145,6 +145,8 @@ template <class S, class Operations> class Inspector {
       case Operation::leave: return leave(words);
       case Operation::enter_box: return enter_box(words);
       case Operation::leave_box: return leave_box(words);
+      case Operation::enter_scale: return enter_scale(words);
+      case Operation::leave_scale: return leave_scale(words);
     }
     fail(LoadStatus::unknown_operation);
   }
@@ -218,35 +220,41 @@ template <class S, class Operations> class Inspector {
     return true;
   }
 
-  constexpr void enter(const Vector3<S>& translation, PoseOrigin origin) {
+  // Inside of what `operation` enters points are within `reach`.
+  constexpr void enter(Operation operation, Reach<S> reach) {
     if (frames_ == kFrameDepth) {
       fail(LoadStatus::frames_too_deep);
       return;
     }
-    reach_[frames_ + 1] = inner_reach(reach_[frames_], translation);
-    origins_[frames_] = origin;
-    floors_[frames_] = stack_;
-    boxes_[frames_] = 0;
+    entered_[frames_] = {operation, stack_, payload_};
     ++frames_;
+    reach_[frames_] = reach;
     if (frames_ > result_.frame_depth) result_.frame_depth = frames_;
   }
+  // Whether the payload has so many words.
+  constexpr bool has_words(uint32_t words, uint32_t expected) {
+    if (words != expected) fail(LoadStatus::truncated_operation);
+    return words == expected;
+  }
+  // Ends what was entered last, if that is of `operation` and left exactly one result more than it found.
+  constexpr bool left(Operation operation) {
+    const bool balanced =
+        frames_ != 0 && entered_[frames_ - 1].operation == operation && stack_ == entered_[frames_ - 1].floor + 1;
+    if (balanced) --frames_;
+    else fail(LoadStatus::frames_unbalanced);
+    return balanced;
+  }
   constexpr void enter_pose(uint32_t words) {
-    if (words != payload_words<Pose<S>>) {
-      fail(LoadStatus::truncated_operation);
-      return;
-    }
+    if (!has_words(words, payload_words<Pose<S>>)) return;
     const Pose<S> pose = read_payload<Pose<S>>(image_ + payload_);
     if (!valid_pose(pose)) {
       fail(LoadStatus::parameter_out_of_range);
       return;
     }
-    enter(pose.translation, PoseOrigin::constant);
+    enter(Operation::enter_pose, inner_reach(reach_[frames_], pose.translation));
   }
   constexpr void enter_slot(uint32_t words) {
-    if (words != 1) {
-      fail(LoadStatus::truncated_operation);
-      return;
-    }
+    if (!has_words(words, 1)) return;
     const uint32_t slot = image_[payload_];
     if (slot >= kSlotLimit) {
       fail(LoadStatus::parameter_out_of_range);
@@ -254,37 +262,24 @@ template <class S, class Operations> class Inspector {
     }
     if (slot >= result_.slot_count) result_.slot_count = slot + 1;
     const S d = ScalarTraits<S>::domain();
-    enter({d, d, d}, PoseOrigin::run_time);
+    enter(Operation::enter_slot, inner_reach(reach_[frames_], Vector3<S>{d, d, d}));
   }
   constexpr void enter_box(uint32_t words) {
-    if (words != payload_words<Vector3<S>>) {
-      fail(LoadStatus::truncated_operation);
-      return;
-    }
-    enter({}, PoseOrigin::constant);
-    if (result_.status != LoadStatus::ok) return;
-    boxes_[frames_ - 1] = payload_;
-    // Of the whole domain if the half extents are not valid: leave_box refuses them.
+    if (!has_words(words, payload_words<Vector3<S>>)) return;
+    // Of all points around if the half extents are not valid: leave_box refuses them.
     DeclaredBox<S> box;
     box.half = read_payload<Vector3<S>>(image_ + payload_);
-    if (box.half_valid()) reach_[frames_] = box.reach();
+    enter(Operation::enter_box, box.half_valid() ? box.reach() : inner_reach(reach_[frames_], Vector3<S>{}));
   }
   // What enter_box found, and one algebraic result more.
   constexpr void leave_box(uint32_t words) {
-    if (words != payload_words<DeclaredBox<S>>) {
-      fail(LoadStatus::truncated_operation);
-      return;
-    }
-    if (frames_ == 0 || stack_ != floors_[frames_ - 1] + 1 || boxes_[frames_ - 1] == 0) {
-      fail(LoadStatus::frames_unbalanced);
-      return;
-    }
+    if (!has_words(words, payload_words<DeclaredBox<S>>) || !left(Operation::enter_box)) return;
     if (kinds_[stack_ - 1] != DeclaredBox<S>::operand_kind) {
       fail(LoadStatus::kind_mismatch);
       return;
     }
     const DeclaredBox<S> box = read_payload<DeclaredBox<S>>(image_ + payload_);
-    const uint32_t* entered = image_ + boxes_[frames_ - 1];
+    const uint32_t* entered = image_ + entered_[frames_].payload;
     for (uint32_t i = 0; i < payload_words<Vector3<S>>; ++i) {
       if (entered[i] != image_[payload_ + i]) {
         fail(LoadStatus::parameter_out_of_range);
@@ -292,21 +287,35 @@ template <class S, class Operations> class Inspector {
       }
     }
     result_.boxed = certificates_[stack_ - 1];
-    --frames_;
     --stack_;
     push(DeclaredBox<S>::kind, box.certificate(result_.boxed, reach_[frames_]));
   }
-  // A frame must leave exactly one result more than it found.
   constexpr void leave(uint32_t words) {
-    if (words != 0 || frames_ == 0 || stack_ != floors_[frames_ - 1] + 1 || boxes_[frames_ - 1] != 0) {
-      fail(LoadStatus::frames_unbalanced);
+    const bool at_slot = frames_ != 0 && entered_[frames_ - 1].operation == Operation::enter_slot;
+    if (!has_words(words, 0) || !left(at_slot ? Operation::enter_slot : Operation::enter_pose)) return;
+    Certificate<S>& top = certificates_[stack_ - 1];
+    top = placed_certificate(top, kinds_[stack_ - 1], reach_[frames_ + 1], at_slot ? PoseOrigin::run_time : PoseOrigin::constant);
+  }
+  constexpr void enter_scale(uint32_t words) {
+    if (!has_words(words, payload_words<UniformScale<S>> + 1)) return;
+    const auto scale = read_payload<UniformScale<S>>(image_ + payload_);
+    const Reach<S> inner = scale.valid() ? scale.reach(reach_[frames_]) : Reach<S>{ScalarTraits<S>::greatest()};
+    if (inner.radius < ScalarTraits<S>::greatest()) enter(Operation::enter_scale, inner);
+    else fail(LoadStatus::parameter_out_of_range);
+  }
+  // The kind must be the one that was announced.
+  constexpr void leave_scale(uint32_t words) {
+    if (!has_words(words, 0) || !left(Operation::enter_scale)) return;
+    const uint32_t* entered = image_ + entered_[frames_].payload;
+    const Kind kind = kinds_[stack_ - 1];
+    if (entered[payload_words<UniformScale<S>>] != static_cast<uint32_t>(kind)) {
+      fail(LoadStatus::kind_mismatch);
       return;
     }
-    Certificate<S>& top = certificates_[stack_ - 1];
-    top = placed_certificate(top, kinds_[stack_ - 1], reach_[frames_], origins_[frames_ - 1]);
-    --frames_;
+    --stack_;
+    push(kind, read_payload<UniformScale<S>>(entered).certificate(certificates_[stack_], kind, reach_[frames_]));
   }
-  constexpr int floor() const { return frames_ == 0 ? 0 : floors_[frames_ - 1]; }
+  constexpr int floor() const { return frames_ == 0 ? 0 : entered_[frames_ - 1].floor; }
 
   const uint32_t* image_;
   uint32_t at_, last_, tables_first_, tables_last_;
@@ -315,9 +324,12 @@ template <class S, class Operations> class Inspector {
   Kind kinds_[kStackDepth] = {};
   Certificate<S> certificates_[kStackDepth] = {};
   Reach<S> reach_[kFrameDepth + 1] = {};
-  PoseOrigin origins_[kFrameDepth] = {};
-  int floors_[kFrameDepth] = {};
-  uint32_t boxes_[kFrameDepth] = {};  // where a box's half extents are; 0 for a frame
+  struct Entered {
+    Operation operation = Operation::enter_pose;
+    int floor = 0;         // results that lay on the stack then
+    uint32_t payload = 0;  // its place in the image
+  };
+  Entered entered_[kFrameDepth] = {};
   Inspection<S> result_;
 };
 

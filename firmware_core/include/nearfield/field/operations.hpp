@@ -23,6 +23,7 @@
 #include <nearfield/modify/scale_along.hpp>
 #include <nearfield/modify/scale_from_axis.hpp>
 #include <nearfield/modify/sweep.hpp>
+#include <nearfield/modify/uniform_scale.hpp>
 #include <nearfield/shape/algebraic.hpp>
 #include <nearfield/shape/algebraic_torus.hpp>
 #include <nearfield/shape/bicubic_patch.hpp>
@@ -122,12 +123,15 @@ namespace nearfield {
 //   enter_pose: payload a Pose. enter_slot: payload the number of a pose that the caller passes in.
 // Boxes: enter_box, payload half extents, moves the point into a box about the local origin, up to the matching
 // leave_box, payload a DeclaredBox, which makes a distance of an algebraic result.
+// Sizes: enter_scale, payload a UniformScale and the kind of what follows, up to the matching leave_scale.
 #define NEARFIELD_FRAME_OPERATIONS(X) \
   X(0x0e, enter_pose)                 \
   X(0x0f, enter_slot)                 \
   X(0x10, leave)                      \
   X(0x30, enter_box)                  \
-  X(0x31, leave_box)
+  X(0x31, leave_box)                  \
+  X(0x4c, enter_scale)                \
+  X(0x4d, leave_scale)
 
 inline constexpr uint32_t kSlotLimit = 64;  // frame slots of a field
 

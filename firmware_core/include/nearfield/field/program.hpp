@@ -90,9 +90,12 @@ template <class S, class Operations = AllOperations> class Program {
       point = inner_point;
     }
     // The ball as the frame sees it that was entered last.
-    void move_ball(const Vector3<S>& translation, PoseOrigin origin) {
+    void set_ball(const Ball<S>& inner) {
       this->outer_balls[frame_depth - 1] = this->ball;
-      this->ball = inner_ball(this->ball, translation, origin);
+      this->ball = inner;
+    }
+    void move_ball(const Vector3<S>& translation, PoseOrigin origin) {
+      set_ball(inner_ball(this->ball, translation, origin));
     }
     void leave_frame() {
       --frame_depth;
@@ -111,6 +114,11 @@ template <class S, class Operations = AllOperations> class Program {
     void leave_box(const DeclaredBox<S>& box) {
       leave_frame();
       top = box.at(point, top);
+    }
+    void leave_scale() {
+      leave_frame();
+      const uint32_t* payload = frame_constant[frame_depth];
+      top = fetch<UniformScale<S>>(payload).to_outer(static_cast<Kind>(payload[payload_words<UniformScale<S>>]), top);
     }
 
     Vector3<S> point;
@@ -233,6 +241,13 @@ template <class S, class Operations = AllOperations> class Program {
         return;
       }
       case Operation::leave_box: m.leave_box(fetch<DeclaredBox<S>>(payload)); return;
+      case Operation::enter_scale: {
+        const auto scale = fetch<UniformScale<S>>(payload);
+        m.enter(nullptr, payload, scale.to_inner(m.point));
+        if constexpr (Machine<Out>::finds_highest) m.set_ball(scale.to_inner(m.ball));
+        return;
+      }
+      case Operation::leave_scale: m.leave_scale(); return;
     }
   }
 
