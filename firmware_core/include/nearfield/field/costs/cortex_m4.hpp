@@ -4,91 +4,92 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m4(operation, item, part) \
-  operation(sphere, 109, 194, 113)                          \
-  operation(capsule, 160, 240, 160)                         \
-  operation(box, 142, 254, 145)                             \
-  operation(cylinder, 207, 364, 211)                        \
-  operation(soft_point, 121, 270, 187)                      \
-  operation(soft_segment, 165, 312, 231)                    \
-  operation(sharp_union, 23, 36, 25)                        \
-  operation(sharp_intersection, 23, 36, 23)                 \
-  operation(sharp_subtraction, 24, 46, 26)                  \
-  operation(soft_sum, 21, 56, 21)                           \
-  operation(additive_union, 83, 131, 87)                    \
-  operation(additive_intersection, 82, 131, 87)             \
-  operation(additive_subtraction, 85, 142, 88)              \
-  operation(two_sided_union, 90, 139, 93)                   \
-  operation(two_sided_intersection, 91, 139, 93)            \
-  operation(two_sided_subtraction, 91, 150, 94)             \
-  operation(intensity_union, 23, 36, 26)                    \
-  operation(intensity_intersection, 23, 36, 26)             \
-  operation(ray_union, 23, 36, 25)                          \
-  operation(ray_intersection, 23, 36, 25)                   \
+  operation(sphere, 112, 191, 113)                          \
+  operation(capsule, 160, 237, 160)                         \
+  operation(box, 145, 252, 145)                             \
+  operation(cylinder, 211, 362, 211)                        \
+  operation(soft_point, 124, 268, 187)                      \
+  operation(soft_segment, 166, 310, 231)                    \
+  operation(sharp_union, 23, 34, 25)                        \
+  operation(sharp_intersection, 23, 34, 25)                 \
+  operation(sharp_subtraction, 24, 45, 26)                  \
+  operation(soft_sum, 21, 55, 21)                           \
+  operation(additive_union, 83, 133, 87)                    \
+  operation(additive_intersection, 82, 133, 87)             \
+  operation(additive_subtraction, 85, 143, 84)              \
+  operation(two_sided_union, 90, 140, 93)                   \
+  operation(two_sided_intersection, 91, 140, 93)            \
+  operation(two_sided_subtraction, 91, 148, 94)             \
+  operation(intensity_union, 23, 34, 26)                    \
+  operation(intensity_intersection, 23, 34, 26)             \
+  operation(ray_union, 23, 34, 25)                          \
+  operation(ray_intersection, 23, 34, 25)                   \
   operation(potential_of_distance, 89, 200, 117)            \
   operation(potential_of_ray, 89, 200, 127)                 \
-  operation(variable_influence, 141, 428, 143)              \
-  operation(log_sum_exp_union, 157, 185, 157)               \
+  operation(variable_influence, 141, 425, 143)              \
+  operation(log_sum_exp_union, 157, 184, 157)               \
   item(log_sum_exp_union, 53, 111, 53)                      \
-  operation(log_sum_exp_intersection, 157, 185, 157)        \
+  operation(log_sum_exp_intersection, 157, 184, 157)        \
   item(log_sum_exp_intersection, 53, 111, 53)               \
-  operation(log_sum_exp_subtraction, 144, 169, 144)         \
+  operation(log_sum_exp_subtraction, 144, 168, 144)         \
   item(log_sum_exp_subtraction, 58, 118, 58)                \
-  operation(ray_point, 128, 243, 133)                       \
-  operation(ray_segment, 178, 286, 182)                     \
-  operation(ray_linear_union, 144, 263, 158)                \
-  operation(ray_linear_intersection, 144, 254, 159)         \
-  operation(ray_linear_difference, 230, 408, 234)           \
-  operation(ray_plane, 87, 132, 87)                         \
-  operation(algebraic_plane, 57, 98, 57)                    \
-  operation(quadric, 168, 251, 168)                         \
-  operation(algebraic_of_distance, 28, 71, 28)              \
-  operation(algebraic_of_ray, 42, 106, 40)                  \
-  operation(hoffmann_hopcroft_union, 126, 389, 128)         \
-  operation(hoffmann_hopcroft_intersection, 144, 415, 146)  \
-  operation(hoffmann_hopcroft_difference, 136, 421, 139)    \
-  operation(functional_spline, 130, 367, 130)               \
+  operation(ray_point, 133, 241, 133)                       \
+  operation(ray_segment, 182, 284, 182)                     \
+  operation(ray_linear_union, 144, 264, 158)                \
+  operation(ray_linear_intersection, 144, 255, 161)         \
+  operation(ray_linear_difference, 230, 410, 234)           \
+  operation(ray_plane, 82, 130, 87)                         \
+  operation(algebraic_plane, 57, 96, 57)                    \
+  operation(quadric, 168, 249, 168)                         \
+  operation(algebraic_of_distance, 28, 70, 28)              \
+  operation(algebraic_of_ray, 42, 105, 40)                  \
+  operation(hoffmann_hopcroft_union, 126, 387, 126)         \
+  operation(hoffmann_hopcroft_intersection, 144, 413, 146)  \
+  operation(hoffmann_hopcroft_difference, 136, 419, 139)    \
+  operation(functional_spline, 130, 366, 130)               \
   item(functional_spline, 20, 83, 20)                       \
-  operation(ribbon_patch, 532, 672, 532)                    \
+  operation(ribbon_patch, 532, 670, 532)                    \
   item(ribbon_patch, 133, 373, 133)                         \
-  operation(corner_patch, 752, 250, 752)                    \
+  operation(corner_patch, 752, 248, 752)                    \
   item(corner_patch, 208, 602, 208)                         \
-  operation(algebraic_union, 23, 36, 25)                    \
-  operation(algebraic_intersection, 23, 36, 25)             \
-  operation(tapered_capsule, 209, 420, 214)                 \
-  operation(cone_frustum, 243, 393, 247)                    \
-  operation(torus, 187, 356, 187)                           \
-  operation(disc, 192, 350, 197)                            \
-  operation(half_space, 47, 80, 54)                         \
-  operation(infinite_cylinder, 110, 191, 110)               \
-  operation(infinite_cone, 159, 247, 159)                   \
-  operation(offset, 16, 24, 16)                             \
-  operation(polygon, 145, 231, 145)                         \
+  operation(algebraic_union, 23, 34, 25)                    \
+  operation(algebraic_intersection, 23, 34, 25)             \
+  operation(tapered_capsule, 209, 418, 214)                 \
+  operation(cone_frustum, 243, 390, 247)                    \
+  operation(torus, 183, 354, 187)                           \
+  operation(disc, 197, 348, 197)                            \
+  operation(half_space, 47, 78, 54)                         \
+  operation(infinite_cylinder, 107, 190, 110)               \
+  operation(infinite_cone, 159, 245, 159)                   \
+  operation(offset, 16, 23, 16)                             \
+  operation(polygon, 145, 230, 145)                         \
   item(polygon, 58, 58, 58)                                 \
-  operation(polyline, 117, 204, 117)                        \
+  operation(polyline, 117, 203, 117)                        \
   item(polyline, 60, 58, 60)                                \
-  operation(cubic_curve, 1100, 1186, 1100)                  \
+  operation(cubic_curve, 1100, 1185, 1100)                  \
   item(cubic_curve, 806, 807, 806)                          \
-  operation(bicubic_patch, 4844, 4920, 4844)                \
-  operation(ray_slab, 89, 150, 94)                          \
-  operation(ray_of_distance, 50, 115, 51)                   \
-  operation(ray_sweep, 421, 726, 425)                       \
+  operation(bicubic_patch, 4844, 4919, 4844)                \
+  operation(ray_slab, 89, 148, 94)                          \
+  operation(ray_of_distance, 51, 114, 51)                   \
+  operation(ray_sweep, 425, 724, 425)                       \
   item(ray_sweep, 26, 39, 26)                               \
-  operation(algebraic_torus, 152, 423, 152)                 \
-  operation(noise_intensity, 105, 311, 56)                  \
+  operation(algebraic_torus, 152, 421, 152)                 \
+  operation(noise_intensity, 105, 309, 56)                  \
   item(noise_intensity, 157, 230, 5)                        \
-  operation(noise_distance, 91, 173, 91)                    \
+  operation(noise_distance, 91, 170, 91)                    \
   item(noise_distance, 157, 230, 157)                       \
-  operation(morph, 30, 66, 32)                              \
-  operation(intensity_morph, 30, 66, 30)                    \
-  operation(ray_morph, 30, 66, 32)                          \
-  operation(swell, 26, 34, 26)                              \
-  operation(fade, 23, 44, 23)                               \
-  operation(scale_along, 105, 237, 105)                     \
-  operation(scale_about, 281, 667, 280)                     \
-  operation(scale_from_axis, 147, 350, 147)                 \
-  operation(enter_pose, 118, 180, 210)                      \
-  operation(enter_slot, 113, 163, 212)                      \
-  operation(enter_box, 172, 244, 201)                       \
+  operation(morph, 30, 67, 32)                              \
+  operation(intensity_morph, 30, 67, 30)                    \
+  operation(ray_morph, 30, 67, 32)                          \
+  operation(swell, 26, 32, 26)                              \
+  operation(fade, 23, 43, 23)                               \
+  operation(scale_along, 105, 242, 105)                     \
+  operation(scale_about, 280, 665, 280)                     \
+  operation(scale_from_axis, 147, 365, 148)                 \
+  operation(enter_pose, 123, 183, 226)                      \
+  operation(enter_slot, 117, 166, 217)                      \
+  operation(enter_scale, 99, 136, 175)                      \
+  operation(enter_box, 177, 246, 215)                       \
   part(query, 30, 221, 87)                                  \
   part(pose_check, 0, 336, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
