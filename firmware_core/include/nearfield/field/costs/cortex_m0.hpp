@@ -4,61 +4,61 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m0(operation, item, part) \
-  operation(sphere, 628, 1012, 631)                         \
-  operation(capsule, 1020, 1399, 1024)                      \
-  operation(box, 670, 1141, 674)                            \
-  operation(cylinder, 1172, 2040, 1175)                     \
-  operation(soft_point, 525, 1235, 934)                     \
-  operation(soft_segment, 1017, 1727, 1426)                 \
-  operation(sharp_union, 40, 50, 38)                        \
-  operation(sharp_intersection, 40, 49, 38)                 \
-  operation(sharp_subtraction, 42, 63, 39)                  \
-  operation(soft_sum, 43, 75, 42)                           \
-  operation(additive_union, 248, 421, 243)                  \
-  operation(additive_intersection, 249, 422, 238)           \
-  operation(additive_subtraction, 248, 463, 243)            \
-  operation(two_sided_union, 258, 446, 251)                 \
-  operation(two_sided_intersection, 258, 447, 255)          \
-  operation(two_sided_subtraction, 258, 471, 255)           \
+  operation(sphere, 628, 1012, 629)                         \
+  operation(capsule, 1022, 1399, 1023)                      \
+  operation(box, 672, 1141, 672)                            \
+  operation(cylinder, 1172, 2040, 1173)                     \
+  operation(soft_point, 525, 1234, 935)                     \
+  operation(soft_segment, 1018, 1728, 1427)                 \
+  operation(sharp_union, 40, 50, 39)                        \
+  operation(sharp_intersection, 40, 49, 36)                 \
+  operation(sharp_subtraction, 41, 63, 33)                  \
+  operation(soft_sum, 43, 83, 42)                           \
+  operation(additive_union, 245, 421, 238)                  \
+  operation(additive_intersection, 245, 421, 238)           \
+  operation(additive_subtraction, 245, 465, 238)            \
+  operation(two_sided_union, 254, 447, 251)                 \
+  operation(two_sided_intersection, 254, 448, 255)          \
+  operation(two_sided_subtraction, 254, 473, 251)           \
   operation(intensity_union, 40, 49, 42)                    \
   operation(intensity_intersection, 40, 50, 43)             \
-  operation(ray_union, 40, 50, 38)                          \
-  operation(ray_intersection, 40, 49, 38)                   \
-  operation(potential_of_distance, 281, 816, 372)           \
-  operation(potential_of_ray, 281, 818, 366)                \
-  operation(variable_influence, 590, 1597, 588)             \
-  operation(log_sum_exp_union, 281, 155, 283)               \
-  item(log_sum_exp_union, 217, 592, 215)                    \
-  operation(log_sum_exp_intersection, 281, 152, 283)        \
-  item(log_sum_exp_intersection, 217, 593, 215)             \
+  operation(ray_union, 40, 50, 34)                          \
+  operation(ray_intersection, 40, 49, 39)                   \
+  operation(potential_of_distance, 278, 814, 371)           \
+  operation(potential_of_ray, 277, 818, 366)                \
+  operation(variable_influence, 590, 1598, 584)             \
+  operation(log_sum_exp_union, 257, 155, 259)               \
+  item(log_sum_exp_union, 215, 592, 213)                    \
+  operation(log_sum_exp_intersection, 281, 152, 259)        \
+  item(log_sum_exp_intersection, 217, 593, 213)             \
   operation(log_sum_exp_subtraction, 300, 269, 302)         \
   item(log_sum_exp_subtraction, 184, 470, 182)              \
-  operation(ray_point, 699, 1339, 700)                      \
+  operation(ray_point, 697, 1339, 699)                      \
   operation(ray_segment, 1093, 1729, 1095)                  \
-  operation(ray_linear_union, 544, 1299, 559)               \
-  operation(ray_linear_intersection, 542, 1253, 563)        \
-  operation(ray_linear_difference, 973, 1813, 971)          \
-  operation(ray_plane, 356, 619, 361)                       \
-  operation(algebraic_plane, 288, 415, 291)                 \
+  operation(ray_linear_union, 544, 1299, 558)               \
+  operation(ray_linear_intersection, 542, 1251, 557)        \
+  operation(ray_linear_difference, 973, 1809, 967)          \
+  operation(ray_plane, 359, 619, 360)                       \
+  operation(algebraic_plane, 288, 417, 291)                 \
   operation(quadric, 933, 1033, 935)                        \
-  operation(algebraic_of_distance, 102, 359, 104)           \
-  operation(algebraic_of_ray, 110, 383, 110)                \
-  operation(hoffmann_hopcroft_union, 445, 1438, 442)        \
-  operation(hoffmann_hopcroft_intersection, 445, 1454, 442) \
-  operation(hoffmann_hopcroft_difference, 459, 1477, 457)   \
+  operation(algebraic_of_distance, 101, 360, 104)           \
+  operation(algebraic_of_ray, 111, 383, 111)                \
+  operation(hoffmann_hopcroft_union, 445, 1439, 438)        \
+  operation(hoffmann_hopcroft_intersection, 445, 1455, 438) \
+  operation(hoffmann_hopcroft_difference, 459, 1478, 453)   \
   operation(functional_spline, 403, 1450, 405)              \
   item(functional_spline, 72, 520, 70)                      \
   operation(ribbon_patch, 1413, 1672, 1415)                 \
   item(ribbon_patch, 600, 1342, 598)                        \
-  operation(corner_patch, 1762, 2, 1764)                    \
-  item(corner_patch, 813, 1999, 811)                        \
-  operation(algebraic_union, 40, 50, 38)                    \
-  operation(algebraic_intersection, 40, 49, 38)             \
+  operation(corner_patch, 1700, 2, 1703)                    \
+  item(corner_patch, 813, 1976, 811)                        \
+  operation(algebraic_union, 40, 50, 39)                    \
+  operation(algebraic_intersection, 40, 49, 36)             \
   operation(tapered_capsule, 1539, 3126, 1541)              \
   operation(cone_frustum, 1403, 2435, 1405)                 \
-  operation(torus, 1084, 2020, 1085)                        \
-  operation(disc, 1142, 2186, 1143)                         \
-  operation(half_space, 251, 295, 253)                      \
+  operation(torus, 1083, 2020, 1085)                        \
+  operation(disc, 1141, 2186, 1143)                         \
+  operation(half_space, 251, 297, 254)                      \
   operation(infinite_cylinder, 616, 999, 618)               \
   operation(infinite_cone, 1052, 1627, 1054)                \
   operation(offset, 24, 37, 24)                             \
@@ -70,25 +70,26 @@
   item(cubic_curve, 3879, 3881, 3879)                       \
   operation(bicubic_patch, 34027, 34403, 34030)             \
   operation(ray_slab, 365, 650, 367)                        \
-  operation(ray_of_distance, 128, 419, 133)                 \
+  operation(ray_of_distance, 134, 420, 134)                 \
   operation(ray_sweep, 1622, 2282, 1624)                    \
   item(ray_sweep, 121, 161, 121)                            \
-  operation(algebraic_torus, 708, 1682, 710)                \
-  operation(noise_intensity, 472, 1273, 159)                \
+  operation(algebraic_torus, 705, 1682, 710)                \
+  operation(noise_intensity, 471, 1273, 159)                \
   item(noise_intensity, 1026, 1184, 6)                      \
-  operation(noise_distance, 383, 666, 382)                  \
+  operation(noise_distance, 382, 666, 382)                  \
   item(noise_distance, 1025, 1183, 1025)                    \
-  operation(morph, 153, 518, 151)                           \
+  operation(morph, 153, 518, 145)                           \
   operation(intensity_morph, 153, 518, 151)                 \
-  operation(ray_morph, 153, 518, 151)                       \
+  operation(ray_morph, 153, 518, 145)                       \
   operation(swell, 90, 106, 90)                             \
-  operation(fade, 82, 275, 83)                              \
-  operation(scale_along, 442, 1185, 442)                    \
-  operation(scale_about, 1379, 3158, 1379)                  \
-  operation(scale_from_axis, 716, 1881, 719)                \
-  operation(enter_pose, 651, 1210, 1173)                    \
-  operation(enter_slot, 644, 1180, 1179)                    \
-  operation(enter_box, 344, 626, 397)                       \
+  operation(fade, 82, 276, 83)                              \
+  operation(scale_along, 442, 1181, 441)                    \
+  operation(scale_about, 1379, 3159, 1379)                  \
+  operation(scale_from_axis, 719, 1881, 720)                \
+  operation(enter_pose, 650, 1207, 1175)                    \
+  operation(enter_slot, 645, 1172, 1202)                    \
+  operation(enter_scale, 355, 557, 677)                     \
+  operation(enter_box, 343, 626, 394)                       \
   part(query, 57, 920, 121)                                 \
   part(pose_check, 0, 1779, 0)                              \
   part(parameter_check, 0, 10, 0)                           \
