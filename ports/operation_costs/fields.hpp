@@ -104,22 +104,37 @@ inline void report_frames() {
   const auto report_frame = [](const char* name, Operation enter, const Budget& measured) {
     report(Row::operation, name, measured, kTarget.cost(enter));
   };
-  Trial trial;
-  trial.operand(kBall);
-  trial.whole() = Builder();
-  trial.whole().enter(kPose).operation(kBall).leave();
-  report_frame("enter_pose", Operation::enter_pose, trial.worst("enter_pose"));
-  trial.whole() = Builder();
-  trial.whole().enter_slot(0).operation(kBall).leave();
-  report_frame("enter_slot", Operation::enter_slot, trial.worst("enter_slot"));
-  trial.whole() = Builder();
-  trial.whole().enter_scale(UniformScale<Q>(Q(0.7)), Kind::distance).operation(kBall).leave_scale();
-  Budget scale = trial.worst("enter_scale and leave_scale");
-  Trial ray;
-  ray.operand(RayPoint<Q>{kPlace, RayRadius<Q>(Q(0.7))});
-  ray.whole() = Builder();
-  ray.whole().enter_scale(UniformScale<Q>(Q(0.7)), Kind::ray).operation(RayPoint<Q>{kPlace, RayRadius<Q>(Q(0.7))}).leave_scale();
-  scale = greatest_of_both(scale, ray.worst("enter_scale and leave_scale"));
+  Budget of_pose, of_slot;
+  for (uint32_t slot = 0; slot < 2; ++slot) {
+    const auto inside = [slot](const Vector3<Q>& p) { return to_inner(kPoses[slot], p); };
+    Trial trial;
+    trial.operand(kBall);
+    trial.whole() = Builder();
+    trial.whole().enter(kPoses[slot]).operation(kBall).leave();
+    of_pose = greatest_of_both(of_pose, trial.worst("enter_pose", inside));
+    trial.whole() = Builder();
+    trial.whole().enter_slot(slot).operation(kBall).leave();
+    of_slot = greatest_of_both(of_slot, trial.worst("enter_slot", inside));
+  }
+  report_frame("enter_pose", Operation::enter_pose, of_pose);
+  report_frame("enter_slot", Operation::enter_slot, of_slot);
+  // Of distances, and of others, whose gradients may saturate.
+  Budget scale;
+  const auto measure_scale = [&](Q factor, const auto& field, Kind kind) {
+    const UniformScale<Q> sized(factor);
+    Trial trial;
+    trial.operand(field);
+    trial.whole() = Builder();
+    trial.whole().enter_scale(sized, kind).operation(field).leave_scale();
+    const auto inside = [&sized](const Vector3<Q>& p) { return sized.to_inner(p); };
+    scale = greatest_of_both(scale, trial.worst("enter_scale and leave_scale", inside));
+  };
+  const Q factors[] = {Q(0.7), Q(1.3)};
+  for (const Q factor : factors) {
+    measure_scale(factor, kBall, Kind::distance);
+    measure_scale(factor, RayPoint<Q>{kPlace, RayRadius<Q>(Q(0.7))}, Kind::ray);
+    measure_scale(factor, plane(Q(1.0), 0), Kind::algebraic);
+  }
   report_frame("enter_scale", Operation::enter_scale, scale);
   Budget box;
   const Vector3<Q> halves[] = {Vector3<Q>{4.0, 4.0, 4.0}, Vector3<Q>{0.5, 0.4, 0.3},

@@ -54,6 +54,9 @@ uint32_t worst_beyond_evaluation(const Program<Q>& program, Query&& query) {
   });
 }
 
+// What a query costs by itself, for those that are made of it.
+inline uint32_t measured_query = 0;
+
 // Of fields of several rates, by which queries divide; and what a field in a slot adds.
 inline void report_query() {
   const Budget itself = evaluation_cost();
@@ -67,7 +70,8 @@ inline void report_query() {
     }
     worst = greatest_of_two(worst, worst_beyond_evaluation(loaded(builder, "query"), clearance_at));
   }
-  report_part("query", QueryPart::query, {itself.value, worst + itself.gradient, itself.highest});
+  measured_query = worst + itself.gradient;
+  report_part("query", QueryPart::query, {itself.value, measured_query, itself.highest});
   Builder builder;
   builder.enter_slot(0).operation(kBall).leave();
   const uint32_t in_slot = worst_beyond_evaluation(loaded(builder, "a ball in a slot"), clearance_in_slot);

@@ -18,7 +18,9 @@ inline bool write_pair(uint32_t measured, uint32_t stated, size_t width) {
     return true;
   }
   board::write_right_aligned(measured, width);
-  board::write_right_aligned(stated, 7);
+  // Apart from the other however great: what is not stated has nine digits.
+  board::write(" ");
+  board::write_right_aligned(stated, 6);
   return measured <= stated;
 }
 constexpr bool loose(uint32_t measured, uint32_t stated) {

@@ -109,7 +109,7 @@ inline void report_sweeps() {
   static const DistanceOfLittle little;
   const auto above = [](uint32_t all, uint32_t part) { return all > part ? all - part : 1; };
   const auto share = [](uint32_t all, uint32_t parts) { return (all + parts - 1) / parts; };
-  const uint32_t query = kTarget.cost(QueryPart::query).gradient;
+  const uint32_t query = measured_query;
   const uint32_t one = worst_sweep(little, {1, 0}), sixteen = worst_sweep(little, {16, 0});
   const uint32_t capsule = greatest_of_two(above(one, query), share(above(sixteen, query), 16));
   const auto refinement = [&](uint16_t count) {

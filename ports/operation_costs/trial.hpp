@@ -3,6 +3,7 @@
 
 #include <nearfield/field/builder.hpp>
 #include <nearfield/field/program.hpp>
+#include <nearfield/query/chain.hpp>
 
 #include <board/cost_rows.hpp>
 #include <board/instruction_counter.hpp>
@@ -58,10 +59,10 @@ struct Random {
   }
 };
 
-// The identity, so that operands are evaluated where they are without a frame; parameters with many bits.
-inline const Pose<Q> kPose;
+// The identity, which leaves points where they are, and one that does not; parameters with many bits.
+inline const Pose<Q> kPoses[] = {{}, {rotation_about<Q>({0.6, 0.0, 0.8}, Q(0.7)), {0.3, -0.2, 0.1}}};
 inline const Q kParameters[] = {Q::from_raw(0x5a5a5a5), Q::from_raw(0x1234567)};
-inline const Slots<Q> kSlots(&kPose, 1, kParameters, 2);
+inline const Slots<Q> kSlots(kPoses, 2, kParameters, 2);
 inline volatile int32_t sink;
 
 template <class Out>
@@ -200,6 +201,10 @@ class Trial {
   Builder& whole() { return whole_; }
 
   Budget worst(const char* what) {
+    return worst(what, [](const Vector3<Q>& p) { return p; });
+  }
+  // to_inner: where the whole program asks its operands.
+  template <class ToInner> Budget worst(const char* what, ToInner&& to_inner) {
     const Program<Q> whole = loaded(whole_, what);
     Program<Q> operands[kStackDepth];
     for (int i = 0; i < operand_count_; ++i) operands[i] = loaded(operands_[i], what);
@@ -207,10 +212,10 @@ class Trial {
     Budget worst;
     Random random;
     for (int i = 0; i < kPoints / (operand_count_ + 1); ++i) {
-      const Place at = random.place();
-      worst = greatest_of_both(worst, {beyond_operands<Value<Q>>(whole, operands, at, evaluation.value),
-                                       beyond_operands<Sample<Q>>(whole, operands, at, evaluation.gradient),
-                                       beyond_operands<Highest<Q>>(whole, operands, at, evaluation.highest)});
+      const Place at = random.place(), inner = {to_inner(at.point), at.radius};
+      worst = greatest_of_both(worst, {beyond_operands<Value<Q>>(whole, at, operands, inner, evaluation.value),
+                                       beyond_operands<Sample<Q>>(whole, at, operands, inner, evaluation.gradient),
+                                       beyond_operands<Highest<Q>>(whole, at, operands, inner, evaluation.highest)});
     }
     return worst;
   }
@@ -225,10 +230,10 @@ class Trial {
     return *this;
   }
   template <class Out>
-  uint32_t beyond_operands(const Program<Q>& whole, const Program<Q>* operands, const Place& at,
+  uint32_t beyond_operands(const Program<Q>& whole, const Place& at, const Program<Q>* operands, const Place& inner,
                            uint32_t evaluation) const {
     uint32_t count = instructions_at<Out>(whole, at) - evaluation;
-    for (int i = 0; i < operand_count_; ++i) count -= instructions_at<Out>(operands[i], at) - evaluation;
+    for (int i = 0; i < operand_count_; ++i) count -= instructions_at<Out>(operands[i], inner) - evaluation;
     return count;
   }
 

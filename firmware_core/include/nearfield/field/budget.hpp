@@ -3,8 +3,11 @@
 
 #include <nearfield/field/costs/cortex_m0.hpp>
 #include <nearfield/field/costs/cortex_m3.hpp>
+#include <nearfield/field/costs/cortex_m33.hpp>
 #include <nearfield/field/costs/cortex_m4.hpp>
+#include <nearfield/field/costs/cortex_m7.hpp>
 #include <nearfield/field/costs/rv32imac.hpp>
+#include <nearfield/field/costs/rv64imac.hpp>
 #include <nearfield/field/operations.hpp>
 
 namespace nearfield {
@@ -143,7 +146,8 @@ namespace target {
     NEARFIELD_COSTS_OF_##name(NEARFIELD_OPERATION_ROW, NEARFIELD_ITEM_ROW, NEARFIELD_PART_ROW) return costs; \
   }();
 // Every list of targets is made of this one; each has its file in costs/, NEARFIELD_COSTS_OF_<name>.
-#define NEARFIELD_TARGETS(X) X(cortex_m0) X(cortex_m3) X(cortex_m4) X(rv32imac)
+#define NEARFIELD_TARGETS(X) \
+  X(cortex_m0) X(cortex_m3) X(cortex_m4) X(cortex_m7) X(cortex_m33) X(rv32imac) X(rv64imac)
 NEARFIELD_TARGETS(NEARFIELD_TARGET)
 #undef NEARFIELD_TARGET
 #undef NEARFIELD_OPERATION_ROW
@@ -152,14 +156,20 @@ NEARFIELD_TARGETS(NEARFIELD_TARGET)
 
 }  // namespace target
 
-// The target that this is compiled for; where that is none of them (a host, say, or
-// RV64), the Cortex-M4: name another where a budget is relied upon.
+// The target that this is compiled for; where that is none of them (a host, say), the Cortex-M4: name another where a budget
+// is relied upon. Of the cores of Armv7E-M, the Cortex-M7 is the one with an FPU of double precision.
 #if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
 inline constexpr const Target& kThisTarget = target::cortex_m0;
 #elif defined(__ARM_ARCH_7M__)
 inline constexpr const Target& kThisTarget = target::cortex_m3;
+#elif defined(__ARM_ARCH_8M_MAIN__)
+inline constexpr const Target& kThisTarget = target::cortex_m33;
+#elif defined(__ARM_ARCH_7EM__) && defined(__ARM_FP) && (__ARM_FP & 8)
+inline constexpr const Target& kThisTarget = target::cortex_m7;
 #elif defined(__riscv) && __riscv_xlen == 32
 inline constexpr const Target& kThisTarget = target::rv32imac;
+#elif defined(__riscv) && __riscv_xlen == 64
+inline constexpr const Target& kThisTarget = target::rv64imac;
 #else
 inline constexpr const Target& kThisTarget = target::cortex_m4;
 #endif

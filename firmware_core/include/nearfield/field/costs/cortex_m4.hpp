@@ -4,103 +4,104 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m4(operation, item, part) \
-  operation(sphere, 114, 190, 115)                          \
-  operation(capsule, 161, 235, 162)                         \
-  operation(box, 146, 250, 147)                             \
-  operation(cylinder, 214, 360, 215)                        \
-  operation(soft_point, 123, 280, 195)                      \
-  operation(soft_segment, 165, 321, 238)                    \
-  operation(sharp_union, 24, 37, 25)                        \
-  operation(sharp_intersection, 24, 37, 25)                 \
-  operation(sharp_subtraction, 25, 47, 26)                  \
-  operation(soft_sum, 22, 46, 21)                           \
-  operation(additive_union, 84, 134, 87)                    \
-  operation(additive_intersection, 83, 134, 87)             \
-  operation(additive_subtraction, 87, 145, 88)              \
-  operation(two_sided_union, 91, 143, 93)                   \
-  operation(two_sided_intersection, 92, 143, 89)            \
-  operation(two_sided_subtraction, 92, 159, 94)             \
-  operation(intensity_union, 24, 37, 26)                    \
-  operation(intensity_intersection, 24, 37, 26)             \
-  operation(ray_union, 24, 37, 25)                          \
-  operation(ray_intersection, 24, 37, 25)                   \
+  operation(sphere, 112, 191, 113)                          \
+  operation(capsule, 160, 237, 160)                         \
+  operation(box, 145, 252, 145)                             \
+  operation(cylinder, 211, 362, 211)                        \
+  operation(soft_point, 124, 268, 187)                      \
+  operation(soft_segment, 166, 310, 231)                    \
+  operation(sharp_union, 23, 34, 25)                        \
+  operation(sharp_intersection, 23, 34, 25)                 \
+  operation(sharp_subtraction, 24, 45, 26)                  \
+  operation(soft_sum, 21, 55, 21)                           \
+  operation(additive_union, 83, 133, 87)                    \
+  operation(additive_intersection, 82, 133, 87)             \
+  operation(additive_subtraction, 85, 143, 84)              \
+  operation(two_sided_union, 90, 140, 93)                   \
+  operation(two_sided_intersection, 91, 140, 93)            \
+  operation(two_sided_subtraction, 91, 148, 94)             \
+  operation(intensity_union, 23, 34, 26)                    \
+  operation(intensity_intersection, 23, 34, 26)             \
+  operation(ray_union, 23, 34, 25)                          \
+  operation(ray_intersection, 23, 34, 25)                   \
   operation(potential_of_distance, 89, 200, 117)            \
   operation(potential_of_ray, 89, 200, 127)                 \
-  operation(variable_influence, 147, 430, 148)              \
-  operation(log_sum_exp_union, 156, 189, 157)               \
-  item(log_sum_exp_union, 54, 117, 53)                      \
-  operation(log_sum_exp_intersection, 156, 189, 157)        \
-  item(log_sum_exp_intersection, 54, 117, 53)               \
-  operation(log_sum_exp_subtraction, 143, 184, 144)         \
-  item(log_sum_exp_subtraction, 59, 122, 58)                \
-  operation(ray_point, 132, 238, 133)                       \
-  operation(ray_segment, 181, 282, 182)                     \
-  operation(ray_linear_union, 145, 276, 158)                \
-  operation(ray_linear_intersection, 145, 267, 161)         \
-  operation(ray_linear_difference, 241, 423, 244)           \
-  operation(ray_plane, 85, 128, 87)                         \
-  operation(algebraic_plane, 56, 94, 57)                    \
-  operation(quadric, 167, 247, 168)                         \
+  operation(variable_influence, 141, 425, 143)              \
+  operation(log_sum_exp_union, 157, 184, 157)               \
+  item(log_sum_exp_union, 53, 111, 53)                      \
+  operation(log_sum_exp_intersection, 157, 184, 157)        \
+  item(log_sum_exp_intersection, 53, 111, 53)               \
+  operation(log_sum_exp_subtraction, 144, 168, 144)         \
+  item(log_sum_exp_subtraction, 58, 118, 58)                \
+  operation(ray_point, 133, 241, 133)                       \
+  operation(ray_segment, 182, 284, 182)                     \
+  operation(ray_linear_union, 144, 264, 158)                \
+  operation(ray_linear_intersection, 144, 255, 161)         \
+  operation(ray_linear_difference, 230, 410, 234)           \
+  operation(ray_plane, 82, 130, 87)                         \
+  operation(algebraic_plane, 57, 96, 57)                    \
+  operation(quadric, 168, 249, 168)                         \
   operation(algebraic_of_distance, 28, 70, 28)              \
-  operation(algebraic_of_ray, 41, 105, 41)                  \
-  operation(hoffmann_hopcroft_union, 127, 470, 128)         \
-  operation(hoffmann_hopcroft_intersection, 145, 492, 146)  \
-  operation(hoffmann_hopcroft_difference, 138, 493, 139)    \
-  operation(functional_spline, 129, 364, 130)               \
-  item(functional_spline, 21, 85, 20)                       \
-  operation(ribbon_patch, 531, 690, 532)                    \
-  item(ribbon_patch, 134, 374, 133)                         \
-  operation(corner_patch, 769, 233, 770)                    \
-  item(corner_patch, 208, 619, 207)                         \
-  operation(algebraic_union, 24, 37, 25)                    \
-  operation(algebraic_intersection, 24, 37, 25)             \
-  operation(tapered_capsule, 213, 415, 214)                 \
-  operation(cone_frustum, 248, 388, 249)                    \
-  operation(torus, 189, 352, 190)                           \
-  operation(disc, 198, 346, 199)                            \
-  operation(half_space, 53, 76, 54)                         \
-  operation(infinite_cylinder, 111, 186, 112)               \
-  operation(infinite_cone, 159, 243, 160)                   \
+  operation(algebraic_of_ray, 42, 105, 40)                  \
+  operation(hoffmann_hopcroft_union, 126, 387, 126)         \
+  operation(hoffmann_hopcroft_intersection, 144, 413, 146)  \
+  operation(hoffmann_hopcroft_difference, 136, 419, 139)    \
+  operation(functional_spline, 130, 366, 130)               \
+  item(functional_spline, 20, 83, 20)                       \
+  operation(ribbon_patch, 532, 670, 532)                    \
+  item(ribbon_patch, 133, 373, 133)                         \
+  operation(corner_patch, 752, 248, 752)                    \
+  item(corner_patch, 208, 602, 208)                         \
+  operation(algebraic_union, 23, 34, 25)                    \
+  operation(algebraic_intersection, 23, 34, 25)             \
+  operation(tapered_capsule, 209, 418, 214)                 \
+  operation(cone_frustum, 243, 390, 247)                    \
+  operation(torus, 183, 354, 187)                           \
+  operation(disc, 197, 348, 197)                            \
+  operation(half_space, 47, 78, 54)                         \
+  operation(infinite_cylinder, 107, 190, 110)               \
+  operation(infinite_cone, 159, 245, 159)                   \
   operation(offset, 16, 23, 16)                             \
-  operation(polygon, 145, 228, 146)                         \
+  operation(polygon, 145, 230, 145)                         \
   item(polygon, 58, 58, 58)                                 \
-  operation(polyline, 118, 201, 119)                        \
+  operation(polyline, 117, 203, 117)                        \
   item(polyline, 60, 58, 60)                                \
-  operation(cubic_curve, 1100, 1183, 1101)                  \
+  operation(cubic_curve, 1100, 1185, 1100)                  \
   item(cubic_curve, 806, 807, 806)                          \
-  operation(bicubic_patch, 4909, 4981, 4910)                \
-  operation(ray_slab, 93, 146, 94)                          \
-  operation(ray_of_distance, 50, 114, 50)                   \
-  operation(ray_sweep, 507, 790, 508)                       \
-  item(ray_sweep, 25, 36, 25)                               \
-  operation(algebraic_torus, 151, 419, 152)                 \
+  operation(bicubic_patch, 4844, 4919, 4844)                \
+  operation(ray_slab, 89, 148, 94)                          \
+  operation(ray_of_distance, 51, 114, 51)                   \
+  operation(ray_sweep, 425, 724, 425)                       \
+  item(ray_sweep, 26, 39, 26)                               \
+  operation(algebraic_torus, 152, 421, 152)                 \
   operation(noise_intensity, 105, 309, 56)                  \
   item(noise_intensity, 157, 230, 5)                        \
   operation(noise_distance, 91, 170, 91)                    \
   item(noise_distance, 157, 230, 157)                       \
-  operation(morph, 31, 66, 32)                              \
-  operation(intensity_morph, 31, 66, 30)                    \
-  operation(ray_morph, 31, 66, 30)                          \
+  operation(morph, 30, 67, 32)                              \
+  operation(intensity_morph, 30, 67, 30)                    \
+  operation(ray_morph, 30, 67, 32)                          \
   operation(swell, 26, 32, 26)                              \
   operation(fade, 23, 43, 23)                               \
-  operation(scale_along, 105, 240, 105)                     \
-  operation(scale_about, 281, 685, 281)                     \
-  operation(scale_from_axis, 147, 368, 147)                 \
-  operation(enter_pose, 118, 176, 149)                      \
-  operation(enter_slot, 113, 161, 151)                      \
-  operation(enter_box, 172, 241, 207)                       \
-  part(query, 28, 224, 90)                                  \
-  part(pose_check, 0, 356, 0)                               \
+  operation(scale_along, 105, 242, 105)                     \
+  operation(scale_about, 280, 665, 280)                     \
+  operation(scale_from_axis, 147, 365, 148)                 \
+  operation(enter_pose, 123, 183, 226)                      \
+  operation(enter_slot, 117, 166, 217)                      \
+  operation(enter_scale, 99, 136, 175)                      \
+  operation(enter_box, 177, 246, 215)                       \
+  part(query, 30, 221, 87)                                  \
+  part(pose_check, 0, 336, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
   part(c_interface, 0, 512, 0)                              \
   part(c_pose, 0, 25, 0)                                    \
-  part(soft_clearance, 0, 370, 0)                           \
+  part(soft_clearance, 0, 369, 0)                           \
   part(link_poses, 41, 0, 0)                                \
-  part(revolute_joint, 789, 0, 0)                           \
-  part(other_joint, 440, 0, 0)                              \
-  part(placed_body, 117, 0, 0)                              \
-  part(swept_capsule, 293, 0, 0)                            \
-  part(refinement, 386, 0, 0)                               \
-  part(stretch, 4, 0, 0)                                    \
-  part(capsule_pair, 407, 0, 0)                             \
-  part(tick, 2815, 0, 0)
+  part(revolute_joint, 818, 0, 0)                           \
+  part(other_joint, 434, 0, 0)                              \
+  part(placed_body, 123, 0, 0)                              \
+  part(swept_capsule, 327, 0, 0)                            \
+  part(refinement, 400, 0, 0)                               \
+  part(stretch, 3, 0, 0)                                    \
+  part(capsule_pair, 435, 0, 0)                             \
+  part(tick, 2773, 0, 0)
