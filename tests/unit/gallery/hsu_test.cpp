@@ -25,7 +25,8 @@ double surface_along(const SceneField& field, const Vector3d& from, const Vector
 
 TEST(GalleryHsu, LpBallsPassTheirPoints) {
   const std::vector<std::pair<const char*, double>> metrics = {
-      {"1_1", 1.1}, {"1_3", 1.3}, {"1_5", 1.5}, {"2", 2.0}, {"3", 3.0}, {"5", 5.0}, {"10", 10.0}, {"20", 20.0}};
+      {"1_1", 1.1}, {"1_3", 1.3}, {"1_5", 1.5}, {"2", 2.0},
+      {"3", 3.0},   {"5", 5.0},   {"10", 10.0}, {"20", 20.0}};
   for (const auto& [name, n] : metrics) {
     const FieldPointer field = hsu(std::string("lp_") + name);
     const double error = field->proof().error + 1e-7;
@@ -43,7 +44,7 @@ TEST(GalleryHsu, ThePureUnionHasACreaseAndTheBlendHasNone) {
   const FieldPointer pure = hsu("pure_union"), smooth = hsu("smooth_union");
   // Across the line in which both cylinders meet, on the surface.
   const auto jump = [](const SceneField& field) {
-    const double along = surface_along(field, {}, {std::sqrt(0.5), std::sqrt(0.5), 0.0}, 1.5) * std::sqrt(0.5);
+    const double half = std::sqrt(0.5), along = half * surface_along(field, {}, {half, half, 0.0}, 1.5);
     const double near = 1e-4;
     return length(field.at({along + near, along - near, 0.0}).gradient -
                   field.at({along - near, along + near, 0.0}).gradient);
@@ -85,7 +86,8 @@ TEST(GalleryHsu, RangeControlLeavesThePlanesAsTheyAre) {
       if (surface_along(*without, {1.0, y, z}, {1.0, 0.0, 0.0}, 1.0) < 0.74) ++deformed;
     }
   }
-  std::printf("%zu places of a face untouched with range control, %zu deformed without\n", untouched, deformed);
+  std::printf("%zu places of a face untouched with range control, %zu deformed without\n", untouched,
+              deformed);
   EXPECT_GT(untouched, 100U);
   EXPECT_GT(deformed, untouched * 8 / 10);
 }
@@ -143,8 +145,8 @@ TEST(GalleryHsu, BlendingRangesAreTheirOwn) {
   EXPECT_LT(small, 0.8 * large);
 }
 
-// How far from the axis, as a part of how far the contour surface is, the transition rises from the upper face
-// of the cube, least and greatest of all directions.
+// How far from the axis, as a part of how far the contour surface is, the transition rises from the upper
+// face of the cube, least and greatest of all directions.
 std::pair<double, double> outline(const SceneField& union_of, const SceneField& contour) {
   double least = 9.0, greatest = 0.0;
   const double above_face = 0.601;
@@ -185,7 +187,8 @@ TEST(GalleryHsu, TransitionsOfScaleUnionsFollowTheContourSurface) {
 TEST(GalleryHsu, TheTransitionAboutARoseIsAStar) { expect_outline_of("rose_star", "star"); }
 
 TEST(GalleryHsu, WithoutItTransitionsFollowTheObject) {
-  const FieldPointer bar = hsu("contour_14_20"), blend = hsu("soft_union_bar"), scale = hsu("scale_union_bar");
+  const FieldPointer bar = hsu("contour_14_20"), blend = hsu("soft_union_bar"),
+                     scale = hsu("scale_union_bar");
   // The bar's own influence ends at 0.8 m where the contour of figure 14 is at 1.3 m.
   for (const SceneField* field : {blend.get(), scale.get()}) {
     const auto [least, greatest] = outline(*field, *bar);
