@@ -210,8 +210,8 @@ TEST(GalleryHsu, SolidsAreClosedAndOnTheSurface) {
   for (const Solid& solid : all) {
     SCOPED_TRACE(solid.name);
     const FieldPointer field = hsu(solid.name);
-    const SurfaceMesh mesh = gallery_mesh(*field, solid.box, 32);
-    EXPECT_GT(mesh.triangles.size(), 500U);
+    const SurfaceMesh mesh = gallery_mesh(*field, solid.box, 26);
+    EXPECT_GT(mesh.triangles.size(), 400U);
     EXPECT_EQ(expect_closed(mesh), solid.euler);
     expect_on_surface(*field, mesh);
   }
