@@ -4,100 +4,101 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m7(operation, item, part) \
-  operation(sphere, 112, 190, 113)                          \
-  operation(capsule, 156, 236, 160)                         \
-  operation(box, 141, 251, 144)                             \
-  operation(cylinder, 210, 361, 211)                        \
-  operation(soft_point, 121, 260, 187)                      \
-  operation(soft_segment, 165, 300, 231)                    \
-  operation(sharp_union, 21, 31, 21)                        \
-  operation(sharp_intersection, 21, 31, 23)                 \
-  operation(sharp_subtraction, 22, 44, 24)                  \
-  operation(soft_sum, 19, 53, 19)                           \
-  operation(additive_union, 79, 131, 82)                    \
-  operation(additive_intersection, 78, 131, 82)             \
-  operation(additive_subtraction, 81, 142, 83)              \
-  operation(two_sided_union, 85, 141, 89)                   \
-  operation(two_sided_intersection, 85, 140, 89)            \
-  operation(two_sided_subtraction, 88, 145, 90)             \
-  operation(intensity_union, 21, 31, 24)                    \
-  operation(intensity_intersection, 21, 31, 24)             \
-  operation(ray_union, 21, 31, 23)                          \
-  operation(ray_intersection, 21, 31, 23)                   \
-  operation(potential_of_distance, 85, 189, 114)            \
-  operation(potential_of_ray, 85, 189, 124)                 \
-  operation(variable_influence, 143, 418, 145)              \
-  operation(log_sum_exp_union, 160, 181, 160)               \
-  item(log_sum_exp_union, 50, 112, 50)                      \
-  operation(log_sum_exp_intersection, 160, 181, 160)        \
-  item(log_sum_exp_intersection, 50, 112, 50)               \
-  operation(log_sum_exp_subtraction, 150, 176, 150)         \
-  item(log_sum_exp_subtraction, 55, 116, 55)                \
-  operation(ray_point, 128, 238, 133)                       \
-  operation(ray_segment, 181, 282, 182)                     \
-  operation(ray_linear_union, 139, 263, 152)                \
-  operation(ray_linear_intersection, 139, 251, 153)         \
-  operation(ray_linear_difference, 223, 406, 226)           \
+  operation(sphere, 113, 190, 113)                          \
+  operation(capsule, 160, 236, 160)                         \
+  operation(box, 144, 251, 144)                             \
+  operation(cylinder, 207, 361, 211)                        \
+  operation(soft_point, 124, 259, 187)                      \
+  operation(soft_segment, 162, 301, 231)                    \
+  operation(sharp_union, 23, 30, 25)                        \
+  operation(sharp_intersection, 23, 30, 25)                 \
+  operation(sharp_subtraction, 24, 42, 26)                  \
+  operation(soft_sum, 21, 50, 21)                           \
+  operation(additive_union, 81, 129, 81)                    \
+  operation(additive_intersection, 80, 129, 84)             \
+  operation(additive_subtraction, 83, 141, 85)              \
+  operation(two_sided_union, 88, 135, 91)                   \
+  operation(two_sided_intersection, 88, 135, 91)            \
+  operation(two_sided_subtraction, 90, 144, 90)             \
+  operation(intensity_union, 23, 30, 26)                    \
+  operation(intensity_intersection, 23, 30, 26)             \
+  operation(ray_union, 23, 30, 25)                          \
+  operation(ray_intersection, 23, 30, 25)                   \
+  operation(potential_of_distance, 87, 191, 115)            \
+  operation(potential_of_ray, 87, 191, 125)                 \
+  operation(variable_influence, 145, 417, 147)              \
+  operation(log_sum_exp_union, 160, 182, 160)               \
+  item(log_sum_exp_union, 51, 111, 51)                      \
+  operation(log_sum_exp_intersection, 160, 182, 160)        \
+  item(log_sum_exp_intersection, 51, 111, 51)               \
+  operation(log_sum_exp_subtraction, 150, 177, 150)         \
+  item(log_sum_exp_subtraction, 56, 115, 56)                \
+  operation(ray_point, 133, 238, 133)                       \
+  operation(ray_segment, 182, 282, 182)                     \
+  operation(ray_linear_union, 141, 259, 155)                \
+  operation(ray_linear_intersection, 141, 249, 158)         \
+  operation(ray_linear_difference, 225, 405, 228)           \
   operation(ray_plane, 87, 129, 87)                         \
-  operation(algebraic_plane, 53, 93, 57)                    \
-  operation(quadric, 156, 245, 161)                         \
-  operation(algebraic_of_distance, 27, 66, 27)              \
-  operation(algebraic_of_ray, 41, 102, 39)                  \
-  operation(hoffmann_hopcroft_union, 121, 357, 123)         \
-  operation(hoffmann_hopcroft_intersection, 135, 381, 138)  \
-  operation(hoffmann_hopcroft_difference, 130, 383, 132)    \
-  operation(functional_spline, 128, 364, 128)               \
-  item(functional_spline, 20, 82, 20)                       \
-  operation(ribbon_patch, 533, 674, 533)                    \
-  item(ribbon_patch, 133, 373, 133)                         \
-  operation(corner_patch, 755, 282, 755)                    \
-  item(corner_patch, 207, 600, 207)                         \
-  operation(algebraic_union, 21, 31, 23)                    \
-  operation(algebraic_intersection, 21, 31, 23)             \
-  operation(tapered_capsule, 213, 428, 218)                 \
-  operation(cone_frustum, 234, 388, 234)                    \
-  operation(torus, 183, 353, 187)                           \
+  operation(algebraic_plane, 51, 94, 57)                    \
+  operation(quadric, 161, 245, 161)                         \
+  operation(algebraic_of_distance, 28, 66, 28)              \
+  operation(algebraic_of_ray, 41, 102, 41)                  \
+  operation(hoffmann_hopcroft_union, 123, 355, 125)         \
+  operation(hoffmann_hopcroft_intersection, 138, 379, 140)  \
+  operation(hoffmann_hopcroft_difference, 132, 381, 134)    \
+  operation(functional_spline, 128, 365, 128)               \
+  item(functional_spline, 21, 81, 21)                       \
+  operation(ribbon_patch, 533, 675, 533)                    \
+  item(ribbon_patch, 134, 372, 134)                         \
+  operation(corner_patch, 755, 283, 755)                    \
+  item(corner_patch, 208, 599, 208)                         \
+  operation(algebraic_union, 23, 30, 25)                    \
+  operation(algebraic_intersection, 23, 30, 25)             \
+  operation(tapered_capsule, 218, 428, 218)                 \
+  operation(cone_frustum, 230, 388, 230)                    \
+  operation(torus, 187, 353, 187)                           \
   operation(disc, 191, 347, 196)                            \
   operation(half_space, 53, 77, 53)                         \
-  operation(infinite_cylinder, 107, 187, 110)               \
+  operation(infinite_cylinder, 107, 189, 110)               \
   operation(infinite_cone, 161, 251, 161)                   \
-  operation(offset, 15, 21, 15)                             \
-  operation(polygon, 144, 228, 144)                         \
+  operation(offset, 16, 21, 16)                             \
+  operation(polygon, 144, 229, 144)                         \
   item(polygon, 58, 59, 58)                                 \
-  operation(polyline, 117, 203, 117)                        \
+  operation(polyline, 117, 204, 117)                        \
   item(polyline, 60, 58, 60)                                \
-  operation(cubic_curve, 1101, 1183, 1101)                  \
+  operation(cubic_curve, 1101, 1184, 1101)                  \
   item(cubic_curve, 794, 795, 794)                          \
-  operation(bicubic_patch, 4752, 4825, 4752)                \
-  operation(ray_slab, 89, 148, 94)                          \
-  operation(ray_of_distance, 49, 112, 49)                   \
-  operation(ray_sweep, 452, 730, 456)                       \
+  operation(bicubic_patch, 4752, 4826, 4752)                \
+  operation(ray_slab, 94, 147, 94)                          \
+  operation(ray_of_distance, 51, 112, 51)                   \
+  operation(ray_sweep, 451, 730, 456)                       \
   item(ray_sweep, 24, 41, 24)                               \
   operation(algebraic_torus, 152, 394, 152)                 \
-  operation(noise_intensity, 108, 295, 51)                  \
+  operation(noise_intensity, 109, 295, 53)                  \
   item(noise_intensity, 159, 235, 8)                        \
-  operation(noise_distance, 93, 167, 93)                    \
+  operation(noise_distance, 94, 167, 94)                    \
   item(noise_distance, 159, 235, 159)                       \
-  operation(morph, 28, 65, 30)                              \
-  operation(intensity_morph, 28, 65, 28)                    \
-  operation(ray_morph, 28, 65, 30)                          \
-  operation(swell, 25, 31, 25)                              \
-  operation(fade, 22, 41, 22)                               \
-  operation(scale_along, 101, 234, 101)                     \
+  operation(morph, 30, 65, 32)                              \
+  operation(intensity_morph, 30, 65, 30)                    \
+  operation(ray_morph, 30, 65, 32)                          \
+  operation(swell, 26, 30, 26)                              \
+  operation(fade, 23, 41, 23)                               \
+  operation(scale_along, 102, 238, 102)                     \
   operation(scale_about, 280, 669, 280)                     \
-  operation(scale_from_axis, 144, 359, 144)                 \
-  operation(enter_pose, 116, 174, 207)                      \
-  operation(enter_slot, 111, 159, 210)                      \
-  operation(enter_box, 175, 240, 200)                       \
+  operation(scale_from_axis, 145, 361, 145)                 \
+  operation(enter_pose, 122, 180, 224)                      \
+  operation(enter_slot, 116, 164, 215)                      \
+  operation(enter_scale, 99, 134, 175)                      \
+  operation(enter_box, 181, 245, 215)                       \
   part(query, 30, 225, 87)                                  \
   part(pose_check, 0, 323, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
   part(c_interface, 0, 513, 0)                              \
   part(c_pose, 0, 25, 0)                                    \
   part(soft_clearance, 0, 368, 0)                           \
-  part(link_poses, 41, 0, 0)                                \
-  part(revolute_joint, 824, 0, 0)                           \
-  part(other_joint, 436, 0, 0)                              \
+  part(link_poses, 42, 0, 0)                                \
+  part(revolute_joint, 813, 0, 0)                           \
+  part(other_joint, 424, 0, 0)                              \
   part(placed_body, 128, 0, 0)                              \
   part(swept_capsule, 315, 0, 0)                            \
   part(refinement, 411, 0, 0)                               \
