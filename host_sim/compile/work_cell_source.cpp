@@ -66,6 +66,7 @@ const char* name_of(Operation operation) {
   case Operation::name: return #name;
     NEARFIELD_OPERATIONS(NEARFIELD_NAME)
 #undef NEARFIELD_NAME
+    case Operation::enter_scale: return "enter_scale";
     default: return nullptr;  // of a frame
   }
 }

@@ -11,7 +11,7 @@ struct SizeRow {
   static constexpr const char* name = "uniform_scale";
   static constexpr bool exact_solid = false;
   static constexpr Real direction_tolerance = gradient_tolerance<Scalar>(2, 1e-6L);
-  using Operations = OnlyOperations<Field::operation>;
+  using Operations = OnlyOperations<Field::operation, Operation::enter_scale>;
   struct Parameters {
     Field field;
     Real factor = 1;

@@ -145,8 +145,12 @@ template <class S, class Operations> class Inspector {
       case Operation::leave: return leave(words);
       case Operation::enter_box: return enter_box(words);
       case Operation::leave_box: return leave_box(words);
-      case Operation::enter_scale: return enter_scale(words);
-      case Operation::leave_scale: return leave_scale(words);
+      case Operation::enter_scale:
+        if constexpr (Operations::has(Operation::enter_scale)) return enter_scale(words);
+        break;
+      case Operation::leave_scale:
+        if constexpr (Operations::has(Operation::enter_scale)) return leave_scale(words);
+        break;
     }
     fail(LoadStatus::unknown_operation);
   }

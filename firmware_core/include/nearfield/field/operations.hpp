@@ -144,7 +144,8 @@ enum class Operation : uint8_t {
 #undef NEARFIELD_ENUMERATOR
 };
 
-// The operations that a program may have: what is left out is not linked into a target. Frames and boxes always are there.
+// The operations that a program may have: what is left out is not linked into a target. Frames and boxes always
+// are there, sizes with enter_scale.
 struct AllOperations {
   static constexpr bool has(Operation) { return true; }
 };

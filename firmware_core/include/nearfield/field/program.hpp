@@ -244,12 +244,15 @@ template <class S, class Operations = AllOperations> class Program {
       }
       case Operation::leave_box: m.leave_box(fetch<DeclaredBox<S>>(payload)); return;
       case Operation::enter_scale: {
+        if constexpr (!Operations::has(Operation::enter_scale)) return;
         const auto scale = fetch<UniformScale<S>>(payload);
         m.enter(nullptr, payload, scale.to_inner(m.point));
         if constexpr (Machine<Out>::finds_highest) m.set_ball(scale.to_inner(m.ball));
         return;
       }
-      case Operation::leave_scale: m.leave_scale(); return;
+      case Operation::leave_scale:
+        if constexpr (Operations::has(Operation::enter_scale)) m.leave_scale();
+        return;
     }
   }
 
