@@ -78,7 +78,9 @@ SliceSettings settings_of(const Options& options, const SceneField& field) {
   settings.bands = Bands(waves_of(options));
   settings.slopes = options.has("arrows");
   settings.threads = threads_of(options);
-  const auto surface = surface_box(field, domain_box(field));
+  // Where the view is given the surface need not be found, which may take longer than the picture.
+  std::optional<Box3> surface;
+  if (!(options.has("origin") && options.has("width-metres"))) surface = surface_box(field, domain_box(field));
   settings.plane = plane_of(options, field, surface);
   frame_surface(surface, settings);
   if (const auto origin = vector_of(options, "origin")) {

@@ -18,14 +18,15 @@ double margin(const RayField& field, double half) {
 
 }  // namespace
 
-std::optional<ContourCut> contour_cut(const RayField& object, const RayField& contour, double reach) {
+std::optional<ContourCut> contour_cut(const RayField& object, const RayField& contour, double reach, std::size_t& allowance) {
   std::vector<Vector3d> cells{Vector3d{}};
   std::size_t looked_at = 0;
   double half = reach;
   for (int depth = 0; depth <= deepest; ++depth, half /= 2.0) {
     std::vector<Vector3d> undecided;
     for (const Vector3d& centre : cells) {
-      if (++looked_at > most_cells) return std::nullopt;
+      if (++looked_at > most_cells || allowance < object.steps + contour.steps) return std::nullopt;
+      allowance -= object.steps + contour.steps;
       const double inside = object.value(centre);
       if (inside - margin(object, half) > object_surface) continue;
       const double within = contour.value(centre);

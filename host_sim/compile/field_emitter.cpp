@@ -169,18 +169,38 @@ void FieldEmitter::in_declared_box(const FieldNode& node, const Vector3d& half) 
   });
 }
 
-std::vector<FieldStep> FieldEmitter::steps_of(const FieldNode& below) {
+const std::vector<FieldStep>& FieldEmitter::steps_of(const FieldNode& below) {
+  const auto known = steps_below_.find(&below);
+  if (known != steps_below_.end()) return known->second;
   const std::size_t first = steps_.size();
   operand(below);
   std::vector<FieldStep> steps(steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
   steps_.resize(first);
+  return steps_below_[&below] = std::move(steps);
+}
+
+std::vector<FieldStep> FieldEmitter::seen_from_outside(const std::vector<FieldStep>& inside, FieldKind kind) const {
+  std::vector<FieldStep> steps;
+  for (const std::size_t frame : open_frames_) {
+    steps.push_back(steps_[frame]);
+    // What the scale ends with is this field here, not what the node makes of it.
+    if (steps.back().operation == Operation::enter_scale) steps.back().words.back() = static_cast<std::uint32_t>(kind);
+  }
+  steps.insert(steps.end(), inside.begin(), inside.end());
+  for (std::size_t i = open_frames_.size(); i-- > 0;) {
+    steps.push_back({node_, leave_of(steps_[open_frames_[i]].operation), {}});
+  }
   return steps;
 }
 
 std::optional<RayField> FieldEmitter::ray_field(const FieldNode& below) {
   if (inside_ray_field_) return std::nullopt;
   inside_ray_field_ = true;
-  const std::vector<FieldStep> steps = steps_of(below);
+  const bool on_a_link = std::any_of(open_frames_.begin(), open_frames_.end(), [this](std::size_t frame) {
+    return steps_[frame].operation == Operation::enter_slot;
+  });
+  const std::vector<FieldStep> steps =
+      on_a_link ? steps_of(below) : seen_from_outside(steps_of(below), below.kind);
   inside_ray_field_ = false;
   return with_scalar(scalar_, [&](auto zero) -> std::optional<RayField> {
     using S = decltype(zero);
@@ -195,13 +215,14 @@ std::optional<RayField> FieldEmitter::ray_field(const FieldNode& below) {
     result.rate = certificate.lipschitz == kNoRateBound ? std::numeric_limits<double>::infinity()
                                                         : certificate.lipschitz.to_double() * (1 << -kGradientLengthLog2);
     result.error = ScalarTraits<S>::to_double(certificate.error);
+    result.steps = steps.size();
     return result;
   });
 }
 
 std::vector<double> FieldEmitter::values_of(const FieldNode& node, const std::string& key,
                                             const FieldNode& below, const std::vector<Vector3d>& points) {
-  const std::vector<FieldStep> steps = steps_of(below);
+  const std::vector<FieldStep>& steps = steps_of(below);
   return with_scalar(scalar_, [&](auto zero) {
     using S = decltype(zero);
     const CompiledField<S> field = inspected<S>(steps);
@@ -262,6 +283,10 @@ void FieldEmitter::fail(const FieldNode& root, std::size_t step, LoadStatus stat
 
 void FieldEmitter::fail_in(const std::vector<FieldStep>& steps, std::size_t step, LoadStatus status) const {
   const FieldNode& node = *steps[step].node;
+  if (steps[step].operation == Operation::enter_scale && status != LoadStatus::frames_too_deep) {
+    refuse(node, "scale", "what is around does not fit " + std::string(limits_.name) + " at that size",
+           "a greater scale, or fewer frames around it: points inside must lie within " + format_number(limits_.end) + " m");
+  }
   if (status == LoadStatus::bad_table) {
     refuse(node, "step", "has not risen from 0 to 1 at its ends", "within 2^-24; a logistic step with a greater alpha does");
   }
@@ -295,9 +320,6 @@ std::vector<FieldStep> FieldEmitter::within_open_frames(std::size_t first) const
   std::vector<FieldStep> steps;
   for (const std::size_t frame : open_frames_) steps.push_back(steps_[frame]);
   steps.insert(steps.end(), steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
-  for (std::size_t i = open_frames_.size(); i-- > 0;) {
-    steps.push_back({node_, leave_of(steps_[open_frames_[i]].operation), {}});
-  }
   return steps;
 }
 

@@ -102,7 +102,7 @@ struct HalfSpaceOperator {
     if (!(size > 0.0)) emitter.refuse(node, "normal", "a zero vector has no direction", "any other");
     emitter.operation([&](auto zero) {
       using S = decltype(zero);
-      return HalfSpace<S>{quantise<S>(node.placement.position), quantise_unit<S>((1.0 / size) * normal)};
+      return HalfSpace<S>{quantise<S>(node.placement.position), quantise_unit<S>(unit_of(normal))};
     });
   }
 };

@@ -32,7 +32,7 @@ struct RaySlabOperator {
     const Vector3d normal = node.vector("normal");
     const double size = length(normal);
     if (!(size > 0.0)) emitter.refuse(node, "normal", "a zero vector has no direction", "any other");
-    add_ray_slab(emitter, node.placement.position, (1.0 / size) * normal, node.number("influence_radius"));
+    add_ray_slab(emitter, node.placement.position, unit_of(normal), node.number("influence_radius"));
   }
 };
 
@@ -95,7 +95,7 @@ struct GeneralisedDistanceOperator {
         emitter.refuse(node, "normals[" + std::to_string(i) + "]", "a zero vector has no direction",
                        "any other");
       }
-      add_ray_slab(emitter, node.placement.position, (1.0 / size) * normals[i],
+      add_ray_slab(emitter, node.placement.position, unit_of(normals[i]),
                    node.number("influence_radius"));
       if (i != 0) add_ray_linear<SetOperation::intersect>(emitter, node, profile, table);
     }

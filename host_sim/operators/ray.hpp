@@ -60,7 +60,7 @@ struct RayPlaneOperator {
     const Vector3d normal = node.vector("normal");
     const double size = length(normal);
     if (!(size > 0.0)) emitter.refuse(node, "normal", "a zero vector has no direction", "any other");
-    add_ray_plane(emitter, node.placement.position, (1.0 / size) * normal, node.number("influence_radius"));
+    add_ray_plane(emitter, node.placement.position, unit_of(normal), node.number("influence_radius"));
   }
 };
 
@@ -209,7 +209,7 @@ struct VariableInfluenceOperator {
     const std::optional<RayField> object = emitter.ray_field(node.operands[0]);
     const std::optional<RayField> contour = emitter.ray_field(node.operands[1]);
     if (!object || !contour) return;
-    const std::optional<ContourCut> cut = contour_cut(*object, *contour, emitter.limits().domain);
+    const std::optional<ContourCut> cut = emitter.contour_cut(*object, *contour);
     if (!cut) return;
     const Vector3d& at = cut->at;
     emitter.refuse(node.operands[1],

@@ -16,9 +16,9 @@ inline constexpr uint64_t kFixed27TargetDigest = 0x2fb874794ef03211u;
 inline constexpr uint64_t kFixed16TargetDigest = 0xf2ff81b3dac23fe0u;
 inline constexpr uint64_t kFloatTargetDigest = 0x101d714f6db6c4f6u;
 
-inline constexpr uint64_t kFixed27EntryDigest = 0xd4c25003b2ffeea0u;
-inline constexpr uint64_t kFixed16EntryDigest = 0xd28b3923dce45faeu;
-inline constexpr uint64_t kFloatEntryDigest = 0x6f94173cf7403fc2u;
+inline constexpr uint64_t kFixed27EntryDigest = 0xbb3b3d0c6cdbb71bu;
+inline constexpr uint64_t kFixed16EntryDigest = 0xf6303c46bb344235u;
+inline constexpr uint64_t kFloatEntryDigest = 0x78fbf6ded93c346fu;
 
 // Of ports/kernel_digest.cpp.
 inline constexpr uint64_t kKernelDigest = 0x85e47981978cdaf6u;

@@ -288,7 +288,7 @@ TYPED_TEST(Composition, Frames) {
     const S r = parts.blend_radius();
     comparison.expect_same("placed", place(parts.pose(0.5L), parts.cylinder()), kPoints);
     comparison.expect_same("twice as large", scaled(metres<S>(2.0L), place(parts.pose(0.2L), parts.cylinder())), kPoints);
-    comparison.expect_same("smaller, in a slot", in_slot(parts.slot(), scaled(metres<S>(0.75L), parts.sphere())), kPoints);
+    comparison.expect_same("larger, in a slot", in_slot(parts.slot(), scaled(metres<S>(1.25L), parts.sphere())), kPoints);
     comparison.expect_same("in a slot", in_slot(parts.slot(), unite(kernel, r, parts.box(), parts.sphere())),
                            kPoints);
     comparison.expect_same(

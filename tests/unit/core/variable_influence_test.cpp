@@ -68,7 +68,7 @@ void expect_formula(const VariableInfluence<S>& influence, S d, S f) {
   const Real k = at_f / width, steep = std::fabs(at_d - 0.5L) / width;
   // Not at the kinks of T, and where no factor saturates.
   if (std::fabs(at_f - 1) < 4 * unit || std::fabs(2 * (0.5L - at_d) / exact_w2 - 1) < 16 * unit ||
-      found.value <= S{} || exact.value <= 8 * unit || k > 12 || k * steep > 6 || steep > 12 ||
+      found.value <= S{} || exact.value <= 8 * unit || k > 12 || steep > 12 ||
       std::fabs(exact.by_x) > 15 || std::fabs(exact.by_y) > 15) {
     return;
   }

@@ -54,7 +54,23 @@ TEST(FieldPlacement, ScalesThatAreRefused) {
     EXPECT_NE(line.find("field.scale: "), std::string::npos) << line;
   }
   const std::string small = refusal("{\"type\": \"place\", \"scale\": 0.25" + ball);
-  EXPECT_NE(small.find("scene:2:1: field: "), std::string::npos) << "no room for it in q27: " << small;
+  EXPECT_NE(small.find("field.scale: what is around does not fit q27"), std::string::npos) << small;
+}
+
+// Potentials take the rate and error of their operand inside the scale.
+TEST(FieldPlacement, EveryOperatorMayBeScaled) {
+  for (const OperatorDescription& row : all_operators()) {
+    const FieldKind kind = row.any_kind ? FieldKind::intensity : row.operand_kind;
+    for (const char* factor : {"1.25", "0.75", "4"}) {
+      const std::string place = std::string("{\"type\": \"place\", \"position\": [0.1, 0, 0], \"scale\": ") + factor +
+                                ", \"operands\": [" + node_text(row, row.fewest_operands, kind) + "]}";
+      try {
+        EXPECT_EQ(compile_field<Q>(field_of(place), "scene", SlotOfLink()).inspection.status, LoadStatus::ok);
+      } catch (const InputError& error) {
+        ADD_FAILURE() << row.name << " times " << factor << ": " << error.what();
+      }
+    }
+  }
 }
 
 // A ball's contour: the object's surface is at half its influence radius, the contour at its whole.
@@ -75,7 +91,7 @@ TEST(FieldPlacement, ContoursAroundTheObjectAreTaken) {
 }
 
 TEST(FieldPlacement, ContoursThatCutTheObjectAreRefused) {
-  for (const std::string& contour : {ray_ball(0.49), ray_ball(0.5), ray_ball(1, 0.52), ray_ball(0.25, 3)}) {
+  for (const std::string& contour : {ray_ball(0.49), ray_ball(1, 0.52), ray_ball(0.25, 3)}) {
     const std::string line = refusal(about(ray_ball(1), contour));
     EXPECT_NE(line.find(": field.operands[1]: the contour cuts the object: at ("), std::string::npos) << line;
     EXPECT_NE(line.find("; a contour whose ray value is below 1 wherever the object's is at most 0.5"), std::string::npos) << line;
@@ -92,6 +108,33 @@ TEST(FieldPlacement, ContoursThatCutTheObjectAreRefused) {
   EXPECT_NE(refusal(nested).find("the contour cuts the object"), std::string::npos);
 }
 
+// Where points can be, not where the node's own frame has its domain.
+TEST(FieldPlacement, ContoursAreJudgedWherePointsCanBe) {
+  const auto plane = [](const char* normal, double radius) {
+    return std::string("{\"type\": \"ray_plane\", \"normal\": ") + normal + ", \"influence_radius\": " +
+           format_number(radius) + "}";
+  };
+  const std::string cut = about(plane("[0, 0, 1]", 0.5), "{\"type\": \"ray_intersection\", \"operands\": [" +
+                                                             plane("[0, 0, 1]", 0.4) + ", " + plane("[1, 0, 0]", 4) + "]}");
+  const auto placed = [](const std::string& how, const std::string& what) {
+    return "{\"type\": \"place\", " + how + ", \"operands\": [" + what + "]}";
+  };
+  EXPECT_NE(refusal(placed("\"scale\": 0.5", cut)).find("cuts the object"), std::string::npos);
+  EXPECT_NE(refusal(placed("\"position\": [-2, 0, 0]", cut)).find("cuts the object"), std::string::npos);
+  EXPECT_EQ(refusal(placed("\"position\": [4, 0, 0]", about(ray_ball(0.5, 3.9), ray_ball(0.24, 3.9)))), "accepted");
+}
+
+// One operand of several nodes deep is made once, not twice at each.
+TEST(FieldPlacement, NestedPatchesTakeNoTime) {
+  const std::string plane = ", {\"type\": \"algebraic_plane\", \"normal\": [0, 0, 1], \"offset\": -0.9}, "
+                            "{\"type\": \"algebraic_plane\", \"normal\": [0, 0.1, 0], \"offset\": 0.01}, "
+                            "{\"type\": \"algebraic_plane\", \"normal\": [1, 0, 0], \"offset\": -0.9}]}";
+  std::string nested = "{\"type\": \"algebraic_plane\", \"normal\": [1, 0, 0], \"offset\": 0.2}";
+  for (int i = 0; i < 25; ++i)
+    nested = "{\"type\": \"ribbon_patch\", \"through\": [0.1, 0.1, 0.1], \"operands\": [" + nested + plane;
+  EXPECT_FALSE(refusal(nested).empty());
+}
+
 TEST(FieldPlacement, ContoursOfWhatChangesAreNotJudged) {
   const std::string morph =
       "{\"type\": \"ray_morph\", \"parameter_slot\": 0, \"operands\": [" + ray_ball(0.3) + ", " + ray_ball(2) + "]}";
@@ -105,11 +148,15 @@ TEST(ContourCut, WithoutRatesByGridAlone) {
     field.rate = std::numeric_limits<double>::infinity();
     return field;
   };
-  EXPECT_FALSE(contour_cut(ball(1), ball(0.6), 4.0));
-  const std::optional<ContourCut> cut = contour_cut(ball(1), ball(0.4), 4.0);
+  std::size_t allowance = 10000000;
+  EXPECT_FALSE(contour_cut(ball(1), ball(0.6), 4.0, allowance));
+  const std::optional<ContourCut> cut = contour_cut(ball(1), ball(0.4), 4.0, allowance);
   ASSERT_TRUE(cut);
   EXPECT_LE(cut->object, 0.5);
   EXPECT_GE(cut->contour, 1.0);
+  allowance = 100;
+  EXPECT_FALSE(contour_cut(ball(1), ball(0.4), 4.0, allowance)) << "given up";
+  EXPECT_LT(allowance, 2U);
 }
 
 }  // namespace

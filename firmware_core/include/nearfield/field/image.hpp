@@ -79,7 +79,7 @@ template <class S> struct Inspection {
   LoadStatus status = LoadStatus::ok;
   uint32_t at_word = 0;  // where it failed, counted from the image's start
   Kind kind = Kind::distance;
-  Certificate<S> certificate;
+  Certificate<S> certificate;  // with frames_unbalanced: of the last result, within what was not left
   int stack_depth = 0;
   int frame_depth = 0;
   uint32_t slot_count = 0;
@@ -118,7 +118,10 @@ template <class S, class Operations> class Inspector {
       step(static_cast<Operation>(word & 0xffu), word >> 8);
     }
     if (result_.status != LoadStatus::ok) return result_;
-    if (frames_ != 0) return fail(LoadStatus::frames_unbalanced);
+    if (frames_ != 0) {
+      if (stack_ > 0) result_.certificate = certificates_[stack_ - 1];
+      return fail(LoadStatus::frames_unbalanced);
+    }
     if (stack_ != 1) return fail(LoadStatus::kind_mismatch);
     result_.kind = kinds_[0];
     result_.certificate = certificates_[0];

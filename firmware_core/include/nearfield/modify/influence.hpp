@@ -132,11 +132,12 @@ template <class S> struct VariableInfluence {
       result.value = S::from_raw(static_cast<int32_t>((rest * (one + u - h) + (uint64_t{1} << (62 - F))) >> (63 - F)));
       if constexpr (with_slopes) {
         const int64_t rate = at_most(k >> (31 - F));
-        const int64_t rise = at_most((h * inverse.mantissa) >> (94 - 2 * F - inverse.shift));
+        // The rest first: without it the quotient would leave the number range where the product does not.
+        const int64_t rise = at_most((((h * rest) >> 31) * inverse.mantissa) >> (94 - 2 * F - inverse.shift));
         const int64_t part = static_cast<int64_t>(rest);
         const int64_t by_u = (static_cast<int64_t>(u) * inverse_w2.raw()) >> 30;
         const int64_t by_k = (rate * (part - static_cast<int64_t>(u))) >> 31;
-        result.by_d = saturated(by_u + by_k + ((rise * part) >> 31));
+        result.by_d = saturated(by_u + by_k + rise);
         const uint64_t share = ((twice >> 1) * inverse.mantissa) >> (63 - F - inverse.shift);
         const int64_t steep = (at_most(share) * part) >> 31;
         const int64_t reach = at_most(static_cast<uint64_t>(rate + T::one().raw()));
