@@ -194,13 +194,14 @@ struct VariableInfluenceOperator {
   }
   static void add(FieldEmitter& emitter, const FieldNode& node) {
     const double inner_range = node.number("inner_range");
-    require_contour_outside(emitter, node);
     emitter.fold(node, [&] {
       emitter.operation([&](auto zero) {
         using S = decltype(zero);
         return VariableInfluence<S>(quantise<S>(inner_range));
       });
     });
+    // Last, so that operands are judged before what is made of them.
+    require_contour_outside(emitter, node);
   }
 
  private:
