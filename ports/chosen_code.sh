@@ -15,7 +15,7 @@ headers() {
 }
 # Of these, what a field of those shapes has no need of.
 others() {
-  headers "$1" | grep -E -v -x -e 'number/.*' -e 'query/clearance\.hpp' -e 'field/(compose|slots)\.hpp' \
+  headers "$1" | grep -E -v -x -e 'number/.*' -e 'query/clearance\.hpp' -e 'field/(apply|compose|slots)\.hpp' \
     -e 'shape/(sphere|box|capsule|cylinder|sample|certificate|operands|payload)\.hpp' -e 'blend/sharp\.hpp' || true
 }
 

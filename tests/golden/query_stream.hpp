@@ -200,7 +200,7 @@ using StreamOperations =
     OnlyOperations<Operation::sphere, Operation::capsule, Operation::box, Operation::cylinder, Operation::soft_point,
                    Operation::soft_segment, Operation::sharp_union, Operation::sharp_intersection,
                    Operation::sharp_subtraction, Operation::soft_sum, Operation::additive_union,
-                   Operation::additive_intersection, Operation::additive_subtraction>;
+                   Operation::additive_intersection, Operation::additive_subtraction, Operation::enter_scale>;
 template <class S>
 using StreamProgram = Program<S, StreamOperations>;
 

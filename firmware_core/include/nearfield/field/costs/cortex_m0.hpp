@@ -4,38 +4,38 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m0(operation, item, part) \
-  operation(sphere, 628, 1012, 629)                         \
-  operation(capsule, 1022, 1399, 1023)                      \
-  operation(box, 672, 1141, 672)                            \
-  operation(cylinder, 1172, 2040, 1173)                     \
-  operation(soft_point, 525, 1234, 935)                     \
-  operation(soft_segment, 1018, 1728, 1427)                 \
-  operation(sharp_union, 40, 50, 39)                        \
-  operation(sharp_intersection, 40, 49, 36)                 \
+  operation(sphere, 628, 1012, 631)                         \
+  operation(capsule, 1022, 1399, 1024)                      \
+  operation(box, 672, 1141, 673)                            \
+  operation(cylinder, 1172, 2040, 1175)                     \
+  operation(soft_point, 525, 1234, 934)                     \
+  operation(soft_segment, 1018, 1728, 1426)                 \
+  operation(sharp_union, 40, 50, 34)                        \
+  operation(sharp_intersection, 40, 49, 39)                 \
   operation(sharp_subtraction, 41, 63, 33)                  \
   operation(soft_sum, 43, 83, 42)                           \
   operation(additive_union, 245, 421, 238)                  \
   operation(additive_intersection, 245, 421, 238)           \
   operation(additive_subtraction, 245, 465, 238)            \
-  operation(two_sided_union, 254, 447, 251)                 \
-  operation(two_sided_intersection, 254, 448, 255)          \
+  operation(two_sided_union, 254, 447, 255)                 \
+  operation(two_sided_intersection, 254, 448, 251)          \
   operation(two_sided_subtraction, 254, 473, 251)           \
-  operation(intensity_union, 40, 49, 42)                    \
-  operation(intensity_intersection, 40, 50, 43)             \
+  operation(intensity_union, 40, 49, 39)                    \
+  operation(intensity_intersection, 40, 50, 39)             \
   operation(ray_union, 40, 50, 34)                          \
-  operation(ray_intersection, 40, 49, 39)                   \
+  operation(ray_intersection, 40, 49, 34)                   \
   operation(potential_of_distance, 278, 814, 371)           \
   operation(potential_of_ray, 277, 818, 366)                \
-  operation(variable_influence, 590, 1598, 584)             \
-  operation(log_sum_exp_union, 257, 155, 259)               \
-  item(log_sum_exp_union, 215, 592, 213)                    \
-  operation(log_sum_exp_intersection, 281, 152, 259)        \
-  item(log_sum_exp_intersection, 217, 593, 213)             \
+  operation(variable_influence, 590, 1586, 584)             \
+  operation(log_sum_exp_union, 281, 155, 259)               \
+  item(log_sum_exp_union, 217, 592, 213)                    \
+  operation(log_sum_exp_intersection, 257, 152, 259)        \
+  item(log_sum_exp_intersection, 215, 593, 213)             \
   operation(log_sum_exp_subtraction, 300, 269, 302)         \
   item(log_sum_exp_subtraction, 184, 470, 182)              \
   operation(ray_point, 697, 1339, 699)                      \
   operation(ray_segment, 1093, 1729, 1095)                  \
-  operation(ray_linear_union, 544, 1299, 558)               \
+  operation(ray_linear_union, 544, 1299, 559)               \
   operation(ray_linear_intersection, 542, 1251, 557)        \
   operation(ray_linear_difference, 973, 1809, 967)          \
   operation(ray_plane, 359, 619, 360)                       \
@@ -43,7 +43,7 @@
   operation(quadric, 933, 1033, 935)                        \
   operation(algebraic_of_distance, 101, 360, 104)           \
   operation(algebraic_of_ray, 111, 383, 111)                \
-  operation(hoffmann_hopcroft_union, 445, 1439, 438)        \
+  operation(hoffmann_hopcroft_union, 445, 1439, 442)        \
   operation(hoffmann_hopcroft_intersection, 445, 1455, 438) \
   operation(hoffmann_hopcroft_difference, 459, 1478, 453)   \
   operation(functional_spline, 403, 1450, 405)              \
@@ -53,8 +53,8 @@
   operation(corner_patch, 1700, 2, 1703)                    \
   item(corner_patch, 813, 1976, 811)                        \
   operation(algebraic_union, 40, 50, 39)                    \
-  operation(algebraic_intersection, 40, 49, 36)             \
-  operation(tapered_capsule, 1539, 3126, 1541)              \
+  operation(algebraic_intersection, 40, 49, 34)             \
+  operation(tapered_capsule, 1539, 3126, 1542)              \
   operation(cone_frustum, 1403, 2435, 1405)                 \
   operation(torus, 1083, 2020, 1085)                        \
   operation(disc, 1141, 2186, 1143)                         \
@@ -71,7 +71,7 @@
   operation(bicubic_patch, 34027, 34403, 34030)             \
   operation(ray_slab, 365, 650, 367)                        \
   operation(ray_of_distance, 134, 420, 134)                 \
-  operation(ray_sweep, 1622, 2282, 1624)                    \
+  operation(ray_sweep, 1622, 2282, 1623)                    \
   item(ray_sweep, 121, 161, 121)                            \
   operation(algebraic_torus, 705, 1682, 710)                \
   operation(noise_intensity, 471, 1273, 159)                \
@@ -83,13 +83,13 @@
   operation(ray_morph, 153, 518, 145)                       \
   operation(swell, 90, 106, 90)                             \
   operation(fade, 82, 276, 83)                              \
-  operation(scale_along, 442, 1181, 441)                    \
+  operation(scale_along, 442, 1181, 442)                    \
   operation(scale_about, 1379, 3159, 1379)                  \
-  operation(scale_from_axis, 719, 1881, 720)                \
-  operation(enter_pose, 650, 1207, 1175)                    \
+  operation(scale_from_axis, 719, 1881, 719)                \
+  operation(enter_pose, 650, 1207, 1173)                    \
   operation(enter_slot, 645, 1172, 1202)                    \
   operation(enter_scale, 355, 557, 677)                     \
-  operation(enter_box, 343, 626, 394)                       \
+  operation(enter_box, 343, 626, 395)                       \
   part(query, 57, 920, 121)                                 \
   part(pose_check, 0, 1779, 0)                              \
   part(parameter_check, 0, 10, 0)                           \
