@@ -131,18 +131,22 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
   template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
     Out of[static_cast<size_t>(count == 0 ? 1 : count)] = {};
     Operands::template evaluate<Out, S>(of, node.operands, p, slots);
-    return apply(node.operation, p, of, node.table, slots.parameters);
+    return applied(node, p, slots, of);
   }
   static constexpr bool has_highest = passes_highest<T> && Operands::has_highest;
   static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
-    if constexpr (count == 0) {
-      if constexpr (has_own_highest<T>) return node.operation.highest(p, ball, node.table);
-      else return node.operation.template evaluate<Highest<S>>(p, node.table);
+    Highest<S> of[static_cast<size_t>(count == 0 ? 1 : count)] = {};
+    Operands::template highest<S>(of, node.operands, p, ball, slots);
+    if constexpr (!has_own_highest<T>) {
+      return applied(node, p, slots, of);
     } else {
-      Highest<S> of[static_cast<size_t>(count)] = {};
-      Operands::template highest<S>(of, node.operands, p, ball, slots);
-      if constexpr (!has_own_highest<T>) return apply(node.operation, p, of, node.table, slots.parameters);
-      else return combined_highest(node, of, ball, slots);
+      static_assert(count <= 2, "greatest values in a ball are of at most two operands");
+      const auto with = [&](const auto&... operands) {
+        return apply_highest(node.operation, p, ball, node.table, slots.parameters, operands...);
+      };
+      if constexpr (count == 0) return with();
+      else if constexpr (count == 1) return with(of[0]);
+      else return with(of[0], of[1]);
     }
   }
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
@@ -170,23 +174,30 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
   }
 
  private:
-  static constexpr Highest<S> combined_highest(const Node& node, const Highest<S>* of, const Ball<S>& ball,
-                                               [[maybe_unused]] const Slots<S>& slots) {
-    static_assert(count <= 2, "greatest values in a ball are of one or two operands");
-    const T& operation = node.operation;
-    if constexpr (takes_parameter_of<T>) {
-      const S parameter = slots.parameters[operation.slot];
-      if constexpr (count == 1) return operation.highest(of[0], ball, parameter);
-      else return operation.highest(of[0], of[1], ball, parameter);
-    } else
-    if constexpr (count == 1 && uses_table<T>) return operation.highest(of[0], ball, node.table);
-    else if constexpr (count == 1) return operation.highest(of[0], ball);
-    else if constexpr (uses_table<T>) return operation.highest(of[0], of[1], ball, node.table);
-    else return operation.highest(of[0], of[1], ball);
+  template <class Out>
+  static constexpr Out applied(const Node& node, const Vector3<S>& p, const Slots<S>& slots, const Out* of) {
+    const auto with = [&](const auto&... operands) {
+      return apply<Out>(node.operation, p, node.table, slots.parameters, operands...);
+    };
+    if constexpr (operand_count_of<T> == kAnyNumber) return apply_to_all<Out>(node.operation, node.table, of);
+    else if constexpr (count == 0) return with();
+    else if constexpr (count == 1) return with(of[0]);
+    else return with(of[0], of[1]);
   }
 };
 
-template <class A> struct NodeTraits<Placed<A>> {
+// What a field inside another passes on: `operation` enters it.
+template <class Node, Operation operation> struct EnteredNode {
+  using Inner = NodeTraits<decltype(Node::a)>;
+  static constexpr bool has_highest = Inner::has_highest;
+  static constexpr Budget budget(const Node& node, const Target& target) {
+    return Inner::budget(node.a, target) + target.cost(operation);
+  }
+  static constexpr uint32_t slot_count(const Node& node) { return Inner::slot_count(node.a); }
+  static constexpr uint32_t parameter_count(const Node& node) { return Inner::parameter_count(node.a); }
+};
+
+template <class A> struct NodeTraits<Placed<A>> : EnteredNode<Placed<A>, Operation::enter_pose> {
   using Node = Placed<A>;
   using S = typename Node::Scalar;
   template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
@@ -194,7 +205,6 @@ template <class A> struct NodeTraits<Placed<A>> {
     if constexpr (Out::has_gradient) out.gradient = rotate(node.pose.rotation, out.gradient);
     return out;
   }
-  static constexpr bool has_highest = NodeTraits<A>::has_highest;
   static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
     return NodeTraits<A>::highest(node.a, to_inner(node.pose, p),
                                   inner_ball(ball, node.pose.translation, PoseOrigin::constant), slots);
@@ -206,20 +216,14 @@ template <class A> struct NodeTraits<Placed<A>> {
     placed.valid = placed.valid && valid_pose(node.pose);
     return placed;
   }
-  static constexpr Budget budget(const Node& node, const Target& target) {
-    return NodeTraits<A>::budget(node.a, target) + target.cost(Operation::enter_pose);
-  }
-  static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
-  static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
 };
 
-template <class A> struct NodeTraits<Scaled<A>> {
+template <class A> struct NodeTraits<Scaled<A>> : EnteredNode<Scaled<A>, Operation::enter_scale> {
   using Node = Scaled<A>;
   using S = typename Node::Scalar;
   template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
     return node.scale.to_outer(A::kind, NodeTraits<A>::template evaluate<Out>(node.a, node.scale.to_inner(p), slots));
   }
-  static constexpr bool has_highest = NodeTraits<A>::has_highest;
   static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
     return node.scale.to_outer(
         A::kind, NodeTraits<A>::highest(node.a, node.scale.to_inner(p), node.scale.to_inner(ball), slots));
@@ -227,34 +231,23 @@ template <class A> struct NodeTraits<Scaled<A>> {
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
     return node.scale.certificate(NodeTraits<A>::certificate(node.a, node.scale.reach(reach)), A::kind, reach);
   }
-  static constexpr Budget budget(const Node& node, const Target& target) {
-    return NodeTraits<A>::budget(node.a, target) + target.cost(Operation::enter_scale);
-  }
-  static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
-  static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
 };
 
-template <class A> struct NodeTraits<InBox<A>> {
+template <class A> struct NodeTraits<InBox<A>> : EnteredNode<InBox<A>, Operation::enter_box> {
   using Node = InBox<A>;
   using S = typename Node::Scalar;
   template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
     return node.box.at(p, NodeTraits<A>::template evaluate<Out>(node.a, node.box.nearest_inside(p), slots));
   }
-  static constexpr bool has_highest = NodeTraits<A>::has_highest;
   static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>&, const Slots<S>& slots) {
     return evaluate<Highest<S>>(node, p, slots);
   }
   static constexpr Certificate<S> certificate(const Node& node, Reach<S> reach) {
     return node.box.certificate(NodeTraits<A>::certificate(node.a, node.box.reach()), reach);
   }
-  static constexpr Budget budget(const Node& node, const Target& target) {
-    return NodeTraits<A>::budget(node.a, target) + target.cost(Operation::enter_box);
-  }
-  static constexpr uint32_t slot_count(const Node& node) { return NodeTraits<A>::slot_count(node.a); }
-  static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
 };
 
-template <class A> struct NodeTraits<InSlot<A>> {
+template <class A> struct NodeTraits<InSlot<A>> : EnteredNode<InSlot<A>, Operation::enter_slot> {
   using Node = InSlot<A>;
   using S = typename Node::Scalar;
   template <class Out> static constexpr Out evaluate(const Node& node, const Vector3<S>& p, const Slots<S>& slots) {
@@ -263,7 +256,6 @@ template <class A> struct NodeTraits<InSlot<A>> {
     if constexpr (Out::has_gradient) out.gradient = rotate(pose.rotation, out.gradient);
     return out;
   }
-  static constexpr bool has_highest = NodeTraits<A>::has_highest;
   static constexpr Highest<S> highest(const Node& node, const Vector3<S>& p, const Ball<S>& ball, const Slots<S>& slots) {
     const Pose<S>& pose = slots.poses[node.slot];
     return NodeTraits<A>::highest(node.a, to_inner(pose, p), inner_ball(ball, pose.translation, PoseOrigin::run_time),
@@ -277,13 +269,9 @@ template <class A> struct NodeTraits<InSlot<A>> {
     placed.valid = placed.valid && node.slot < kSlotLimit;
     return placed;
   }
-  static constexpr Budget budget(const Node& node, const Target& target) {
-    return NodeTraits<A>::budget(node.a, target) + target.cost(Operation::enter_slot);
-  }
   static constexpr uint32_t slot_count(const Node& node) {
     return greatest_of_two(node.slot < kSlotLimit ? node.slot + 1 : kSlotLimit, NodeTraits<A>::slot_count(node.a));
   }
-  static constexpr uint32_t parameter_count(const Node& node) { return NodeTraits<A>::parameter_count(node.a); }
 };
 
 constexpr NodeList<> list() { return {}; }

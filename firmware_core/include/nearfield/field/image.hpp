@@ -45,13 +45,32 @@ inline constexpr int kStackDepth = 18;  // results waiting to be blended: an I-p
 inline constexpr int kFrameDepth = 4;   // nested frames
 inline constexpr uint32_t kImageWordLimit = 1u << 20;
 
+namespace detail {
+
+// What four zero bits after `bits` make of a CRC: 64 bytes of flash save three quarters of the time.
+struct CrcOfNibbles {
+  uint32_t of[16];
+};
+constexpr CrcOfNibbles crc_of_nibbles() {
+  CrcOfNibbles table{};
+  for (uint32_t nibble = 0; nibble < 16; ++nibble) {
+    uint32_t crc = nibble;
+    for (int bit = 0; bit < 4; ++bit) crc = (crc >> 1) ^ ((crc & 1u) != 0 ? 0xedb88320u : 0u);
+    table.of[nibble] = crc;
+  }
+  return table;
+}
+inline constexpr CrcOfNibbles kCrcOfNibbles = crc_of_nibbles();
+
+}  // namespace detail
+
 // CRC-32 (IEEE 802.3, reflected) of the image's words except the one that holds it.
 constexpr uint32_t image_crc(const uint32_t* words, uint32_t count) {
   uint32_t crc = 0xffffffffu;
   for (uint32_t i = 0; i < count; ++i) {
     if (i == image_format::crc_word) continue;
     crc ^= words[i];
-    for (int bit = 0; bit < 32; ++bit) crc = (crc >> 1) ^ ((crc & 1u) != 0 ? 0xedb88320u : 0u);
+    for (int nibble = 0; nibble < 8; ++nibble) crc = (crc >> 4) ^ detail::kCrcOfNibbles.of[crc & 15u];
   }
   return ~crc;
 }

@@ -1,6 +1,7 @@
 // A loaded program image as a field.
 #pragma once
 
+#include <nearfield/field/apply.hpp>
 #include <nearfield/field/budget.hpp>
 #include <nearfield/field/image.hpp>
 #include <nearfield/shape/payload.hpp>
@@ -167,53 +168,27 @@ template <class S, class Operations = AllOperations> class Program {
   __attribute__((always_inline)) void operate(Machine<Out>& m, const uint32_t* payload) const {
     const T operation = fetch<T>(payload);
     constexpr int count = detail::operand_count_of<T>;
-    if constexpr (Machine<Out>::finds_highest && detail::has_own_highest<T>) {
-      find_highest(m, operation, payload);
-    } else if constexpr (count == kAnyNumber) {
-      operate_on_all<T>(m, operation, payload);
-    } else if constexpr (detail::takes_parameter_of<T>) {
-      const S parameter = m.parameters[operation.slot];
-      if constexpr (count == 1) m.top = operation.combine(m.top, parameter);
-      else m.top = operation.combine(m.pop_below(), m.top, parameter);
-    } else if constexpr (detail::takes_point_of<T>) {
-      static_assert(count == 1, "operations that take the point have one operand");
-      if constexpr (detail::uses_table<T>) m.top = operation.combine(m.point, m.top, table(payload[payload_words<T>]));
-      else m.top = operation.combine(m.point, m.top);
-    } else if constexpr (detail::uses_table<T>) {
-      const TableView<S> view = table(payload[payload_words<T>]);
-      if constexpr (count == 0) m.push(operation.template evaluate<Out>(m.point, view));
-      else if constexpr (count == 1) m.top = operation.combine(m.top, view);
-      else m.top = operation.combine(m.pop_below(), m.top, view);
-    } else {
-      if constexpr (count == 0) m.push(operation.template evaluate<Out>(m.point));
-      else if constexpr (count == 1) m.top = operation.combine(m.top);
-      else m.top = operation.combine(m.pop_below(), m.top);
-    }
-  }
-  template <class T, class Out> void find_highest(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
-    constexpr int count = detail::operand_count_of<T>;
-    static_assert(count >= 0 && count <= 2, "greatest values in a ball are of at most two operands");
-    if constexpr (detail::takes_parameter_of<T>) {
-      const S parameter = m.parameters[operation.slot];
-      if constexpr (count == 1) m.top = operation.highest(m.top, m.ball, parameter);
-      else m.top = operation.highest(m.pop_below(), m.top, m.ball, parameter);
-    } else if constexpr (detail::uses_table<T>) {
-      const TableView<S> view = table(payload[payload_words<T>]);
-      if constexpr (count == 0) m.push(operation.highest(m.point, m.ball, view));
-      else if constexpr (count == 1) m.top = operation.highest(m.top, m.ball, view);
-      else m.top = operation.highest(m.pop_below(), m.top, m.ball, view);
-    } else {
-      if constexpr (count == 0) m.push(operation.highest(m.point, m.ball));
-      else if constexpr (count == 1) m.top = operation.highest(m.top, m.ball);
-      else m.top = operation.highest(m.pop_below(), m.top, m.ball);
-    }
+    TableView<S> view;
+    if constexpr (detail::uses_table<T>) view = table(payload[payload_words<T>]);
+    const auto result = [&](const auto&... of) __attribute__((always_inline)) {
+      if constexpr (Machine<Out>::finds_highest && detail::has_own_highest<T>) {
+        return detail::apply_highest(operation, m.point, m.ball, view, m.parameters, of...);
+      } else {
+        return detail::apply<Out>(operation, m.point, view, m.parameters, of...);
+      }
+    };
+    if constexpr (count == kAnyNumber) operate_on_all<T>(m, operation, payload);
+    else if constexpr (count == 0) m.push(result());
+    else if constexpr (count == 1) m.top = result(m.top);
+    else m.top = result(m.pop_below(), m.top);
   }
   // Apart from the others, as those in place.
   template <class T, class Out>
   __attribute__((noinline)) void operate_on_all(Machine<Out>& m, const T& operation, const uint32_t* payload) const {
     const Results<Out> of = m.take(static_cast<uint32_t>(operation.operand_count()));
-    if constexpr (detail::uses_table<T>) m.top = operation.template combine_all<Out>(of, table(payload[payload_words<T>]));
-    else m.top = operation.template combine_all<Out>(of);
+    TableView<S> view;
+    if constexpr (detail::uses_table<T>) view = table(payload[payload_words<T>]);
+    m.top = detail::apply_to_all<Out>(operation, view, of);
   }
 
   template <class Out>

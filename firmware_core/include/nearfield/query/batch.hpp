@@ -65,20 +65,23 @@ template <class S> class BlockMachine {
       depth_ -= count;
       Values* const results = stack_ + depth_++;
       for (uint32_t i = 0; i < lanes; ++i) {
-        const auto at_lane = [&](const auto& of) {
-          results[0].value[i] = apply(operation, point_[i], of, table, slots_.parameters).value;
+        const auto of = [&](uint32_t operand) { return Value<S>{results[operand].value[i]}; };
+        const auto with = [&](const auto&... operands) {
+          return apply<Value<S>>(operation, point_[i], table, slots_.parameters, operands...);
         };
+        Value<S> result;
         if constexpr (any_number) {
-          Value<S> of[kStackDepth] = {};
-          for (uint32_t operand = 0; operand < count; ++operand) of[operand].value = results[operand].value[i];
-          at_lane(of);
-        } else if constexpr (fixed_count == 2) {
-          const Value<S> of[] = {{results[0].value[i]}, {results[1].value[i]}};
-          at_lane(of);
+          Value<S> all[kStackDepth] = {};
+          for (uint32_t operand = 0; operand < count; ++operand) all[operand] = of(operand);
+          result = apply_to_all<Value<S>>(operation, table, all);
+        } else if constexpr (fixed_count == 0) {
+          result = with();
+        } else if constexpr (fixed_count == 1) {
+          result = with(of(0));
         } else {
-          const Value<S> of[] = {{fixed_count == 0 ? S{} : results[0].value[i]}};
-          at_lane(of);
+          result = with(of(0), of(1));
         }
+        results[0].value[i] = result.value;
       }
     }
   }
