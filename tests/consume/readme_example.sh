@@ -29,10 +29,9 @@ cxx_flags="-std=c++17 $warnings -I extracted -I $include"
 # shellcheck disable=SC2086
 "$compiler" $cxx_flags -c "$source_dir/tests/consume/readme/print_answers.cpp" -o print_answers.o
 # shellcheck disable=SC2086
-"$compiler" $cxx_flags -ffp-contract=off -c "$source_dir/firmware_core/src/nearfield_c.cpp" -o nearfield_c.o
-# shellcheck disable=SC2086
 "$c_compiler" -std=c99 $warnings -I "$include" -c extracted/example.c -o example.o
-"$compiler" print_answers.o nearfield_c.o example.o -o print_answers
+library=${NEARFIELD_BUILD_DIR:?}/firmware_core/libnearfield_core.a
+"$compiler" print_answers.o example.o "$library" -o print_answers
 ./print_answers >printed.txt || fail "image, C and composition do not agree"
 diff -u extracted/answers.txt printed.txt || fail "README.md prints other answers than its example"
 
