@@ -1,6 +1,6 @@
 /// Skeletons whose nearest points are found by Newton steps: cubic curves.
 
-#include "property/conformance/conformance.hpp"
+#include "property/conformance/wild_skeletons.hpp"
 #include "reference/cubic_curves.hpp"
 
 namespace nearfield::property {
@@ -92,69 +92,19 @@ struct CurveRow {
   }
 };
 
-/// Curves of any shape: values, and directions where the nearest point leads by more than is certified.
-template <class S>
-void judge_wild_curves(std::uint64_t seed) {
-  Random random(seed);
-  Failures error, below;
-  const Real domain = real(ScalarTraits<S>::domain()), unit = last_place<S>(domain);
-  Real worst = 0, certified_there = 0, worst_direction = 0;
-  long long points = 0, exact = 0, directions = 0, strayed = 0;
-  for (int i = 0; i < 150; ++i) {
-    const Real step = std::pow(Real{10}, random.uniform(-3, -1)) * domain;
-    const Curve curve =
-        drawn_curve(random, 0.5L * domain, step, std::pow(Real{10}, random.uniform(-3, 0.3L)));
-    const CubicCurve<S> shape = curve.rounded_to<S>();
-    const Certificate<S> certificate = shape.certificate(domain_reach<S>());
-    if (!certificate.valid) continue;
-    const Real certified = real(certificate.error);
-    for (int j = 0; j < 100; ++j) {
-      const Vec3 near = curve.chain.pieces()[0].at(random.uniform(0, 1));
-      const Vector3<S> p =
-          rounded<S>(near + random.uniform(0, 1) * random.uniform(0, 20) * step * random.unit_vector());
-      if (!coordinates_in_domain(p)) continue;
-      ++points;
-      const Sample<S> sample = shape.template evaluate<Sample<S>>(p);
-      const auto nearest = curve.chain.nearest(real(p));
-      const Real off = real(sample.value) - (nearest.distance - curve.radius);
-      if (std::fabs(off) < 16 * unit) ++exact;
-      if (off > worst * 1.0L) {
-        worst = off;
-        certified_there = certified;
-      }
-      error.check(off <= certified, [&](std::ostream& out) { out << off << " certified " << certified; });
-      below.check(off >= -16 * unit, [&](std::ostream& out) { out << off / unit << " units"; });
-      if (nearest.runner_up - nearest.distance < 2 * certified || nearest.distance < 1e-3L * step) continue;
-      ++directions;
-      const Real turned =
-          reference::norm(real(sample.gradient) - (real(p) - nearest.place) / nearest.distance);
-      worst_direction = std::max(worst_direction, turned);
-      if (turned > 3e-3L + 32 * unit / nearest.distance) ++strayed;
-    }
+struct WildCurve {
+  static Curve draw(Random& random, Real domain, Real step) {
+    return drawn_curve(random, 0.5L * domain, step, std::pow(Real{10}, random.uniform(-3, 0.3L)));
   }
-  const std::string name = ScalarName<S>::text();
-  error.expect_none(name + ": within the certified error");
-  below.expect_none(name + ": not below the distance");
-  EXPECT_GT(points, 5000);
-  EXPECT_GT(exact, points * 9 / 10);
-  EXPECT_GT(directions, points / 2);
-  // Where the curve's centre of curvature is near, Newton steps converge slowly.
-  EXPECT_LE(1000 * strayed, directions);
-  std::printf(
-      "wild curves in %s: %lld points, %lld exact; worst %.3g m where %.3g m are certified; of %lld "
-      "directions off by "
-      "%.3g\n",
-      name.c_str(), points, exact, static_cast<double>(worst), static_cast<double>(certified_there),
-      directions, static_cast<double>(worst_direction));
-}
+  static Vec3 on(const Curve& curve, Random& random) { return curve.chain.pieces()[0].at(random.uniform(0, 1)); }
+  static auto nearest(const Curve& curve, const Vec3& p) { return curve.chain.nearest(p); }
+};
 
 TEST(CurveConformance, CubicCurve) { judge_row<CurveRow>(741); }
 
 TEST(CurveConformance, WildCurvesAreWithinWhatIsCertified) {
-  const std::uint64_t seed = reference::announced_seed("wild curves", 742);
-  judge_wild_curves<Fixed<27>>(seed);
-  judge_wild_curves<Fixed<16>>(seed);
-  judge_wild_curves<float>(seed);
+  const WildTaste taste{"curves", 150, 100, 20, 16, 0.001L};
+  judge_wild_skeletons<WildCurve>(taste, reference::announced_seed("wild curves", 742));
 }
 
 }  // namespace

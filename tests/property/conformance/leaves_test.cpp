@@ -5,7 +5,6 @@
 namespace nearfield::property {
 namespace {
 
-Real cut_off(Real ray) { return std::min<Real>(ray, kGreatestRay); }
 /// As the scalar holds it: slopes are compared as if coefficients were not rounded.
 template <class S>
 Real exactly(Real x) {

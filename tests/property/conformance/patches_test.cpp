@@ -1,6 +1,6 @@
 /// Surfaces whose nearest points are found by Newton steps: bicubic patches.
 
-#include "property/conformance/conformance.hpp"
+#include "property/conformance/wild_skeletons.hpp"
 #include "reference/bicubic_patches.hpp"
 
 namespace nearfield::property {
@@ -116,67 +116,23 @@ struct PatchRow {
   }
 };
 
-/// Patches of any shape: values, and directions where the nearest point leads by more than is certified.
-template <class S>
-void judge_wild_patches(std::uint64_t seed) {
-  Random random(seed);
-  Failures error, below;
-  const Real domain = real(ScalarTraits<S>::domain()), unit = last_place<S>(domain);
-  Real worst = 0, worst_share = 0, worst_direction = 0;
-  long long points = 0, exact = 0, directions = 0, strayed = 0;
-  for (int i = 0; i < 60; ++i) {
-    const Real step = std::pow(Real{10}, random.uniform(-3, -1)) * domain;
+struct WildPatch {
+  static Patch draw(Random& random, Real domain, Real step) {
     const Real bend = std::pow(Real{10}, random.uniform(-3, 0)) * step;
-    const Patch patch(drawn_points(random, 0.5L * domain, step, bend), 0.1L * step, 24);
-    const BicubicPatch<S> shape = patch.rounded_to<S>();
-    const Certificate<S> certificate = shape.certificate(domain_reach<S>());
-    if (!certificate.valid) continue;
-    const Real certified = real(certificate.error);
-    for (int j = 0; j < 100; ++j) {
-      const Vec3 near = patch.surface.at(random.uniform(0, 1), random.uniform(0, 1));
-      const Vector3<S> p =
-          rounded<S>(near + random.uniform(0, 1) * random.uniform(0, 6) * step * random.unit_vector());
-      if (!coordinates_in_domain(p)) continue;
-      ++points;
-      const Sample<S> sample = shape.template evaluate<Sample<S>>(p);
-      const auto nearest = patch.surface.nearest(real(p));
-      const Real off = real(sample.value) - (nearest.distance - patch.radius);
-      if (std::fabs(off) < 32 * unit) ++exact;
-      worst = std::max(worst, off);
-      worst_share = std::max(worst_share, off / certified);
-      error.check(off <= certified, [&](std::ostream& out) { out << off << " certified " << certified; });
-      below.check(off >= -16 * unit, [&](std::ostream& out) { out << off / unit << " units"; });
-      if (nearest.runner_up - nearest.distance < 2 * certified || nearest.distance < 1e-3L * step) continue;
-      ++directions;
-      const Real turned =
-          reference::norm(real(sample.gradient) - (real(p) - nearest.place) / nearest.distance);
-      worst_direction = std::max(worst_direction, turned);
-      if (turned > 3e-3L + 32 * unit / nearest.distance) ++strayed;
-    }
+    return Patch(drawn_points(random, 0.5L * domain, step, bend), 0.1L * step, 24);
   }
-  const std::string name = ScalarName<S>::text();
-  std::printf(
-      "wild patches in %s: %lld points, %lld exact; worst %.3g m, %.3g of what is certified; of %lld "
-      "directions "
-      "%lld strayed, by up to %.3g\n",
-      name.c_str(), points, exact, static_cast<double>(worst), static_cast<double>(worst_share), directions,
-      strayed, static_cast<double>(worst_direction));
-  error.expect_none(name + ": within the certified error");
-  below.expect_none(name + ": not below the distance");
-  EXPECT_GT(points, 3000);
-  EXPECT_GT(exact, points * 9 / 10);
-  EXPECT_GT(directions, points / 3);
-  // Where a centre of curvature is near, Newton steps converge slowly.
-  EXPECT_LE(100 * strayed, directions);
-}
+  static Vec3 on(const Patch& patch, Random& random) {
+    const Real u = random.uniform(0, 1);
+    return patch.surface.at(u, random.uniform(0, 1));
+  }
+  static auto nearest(const Patch& patch, const Vec3& p) { return patch.surface.nearest(p); }
+};
 
 TEST(PatchConformance, BicubicPatch) { judge_row<PatchRow>(751); }
 
 TEST(PatchConformance, WildPatchesAreWithinWhatIsCertified) {
-  const std::uint64_t seed = reference::announced_seed("wild patches", 752);
-  judge_wild_patches<Fixed<27>>(seed);
-  judge_wild_patches<Fixed<16>>(seed);
-  judge_wild_patches<float>(seed);
+  const WildTaste taste{"patches", 60, 100, 6, 32, 0.01L};
+  judge_wild_skeletons<WildPatch>(taste, reference::announced_seed("wild patches", 752));
 }
 
 }  // namespace

@@ -2,19 +2,12 @@
 
 #include <nearfield/field/metrics.hpp>
 
-#include "property/conformance/conformance.hpp"
+#include "property/conformance/skeletons.hpp"
 #include "reference/metrics.hpp"
 #include "reference/shapes.hpp"
 
 namespace nearfield::property {
 namespace {
-
-constexpr Real least_radius = 1.0L / 64;
-Real cut_off(Real ray) { return std::min<Real>(ray, kGreatestRay); }
-/// A number that every scalar holds exactly: directions are compared as if radii were not rounded.
-Real ray_radius(Random& random, Real size) {
-  return std::max(least_radius, std::ceil(random.uniform(0.001L, 1) * size * 1024) / 1024);
-}
 
 struct Slab {
   Vec3 point, normal;

@@ -11,6 +11,8 @@ inline Real ray_radius(Random& random, Real size) {
   return std::max(least_radius, even(random.uniform(0.2L, 1) * size));
 }
 
+inline Real cut_off(Real ray) { return std::min<Real>(ray, kGreatestRay); }
+
 /// Slopes of smaller things leave the number range; floats err by so much far from the origin that slopes of
 /// small things cannot be told from differences.
 template <class S>
