@@ -1,20 +1,12 @@
 // The simulation of `nearfield sim`, tick by tick on the target: the same decisions, the same digest.
-#include <work_cell/player.hpp>
-
-#include <work_cell.inc>
-
-#include <board/instruction_counter.hpp>
 #include <board/console.hpp>
+#include <board/default_work_cell.hpp>
+#include <board/instruction_counter.hpp>
 #include <board/stack_watermark.hpp>
 
 namespace {
 
 using namespace nearfield;
-
-using Player = work_cell::Player<work_cell::kArmLinks, work_cell::kArmBodies, work_cell::kPersonLinks, work_cell::kPersonBodies,
-                                 work_cell::Operations>;
-
-alignas(Player) unsigned char player_memory[sizeof(Player)];
 
 void print(const char* label, uint64_t number, const char* unit) {
   board::write(label);
@@ -48,7 +40,7 @@ Vector3<work_cell::Q> point_of(uint32_t tick) {
   return {coordinate(2654435761u), coordinate(2246822519u), coordinate(3266489917u)};
 }
 
-__attribute__((noinline)) Clearance<work_cell::Q> query(const Player::Field& cell, const Vector3<work_cell::Q>& p) {
+__attribute__((noinline)) Clearance<work_cell::Q> query(const board::Player::Field& cell, const Vector3<work_cell::Q>& p) {
   return clearance(cell, p);
 }
 
@@ -56,13 +48,10 @@ volatile int32_t sink;
 
 }  // namespace
 
-// Placement into static memory, without the library header that declares it.
-inline void* operator new(size_t, void* at) noexcept { return at; }
-
 int main() {
   board::paint_unused_stack();
   const bool counting = board::prepare_instruction_counter();
-  Player& player = *new (player_memory) Player(work_cell::kWorkCell);
+  board::Player& player = board::start_player();
   if (player.status() != work_cell::PlayerStatus::ok) {
     print("the player refuses the work cell: status ", static_cast<uint64_t>(player.status()), "\n");
     board::exit_with_status(1);
