@@ -37,7 +37,8 @@ constexpr Chain<S, links, bodies> chain_of(const Joint<Q> (&joints)[joint_count]
   }
   for (const Body<Q>& body : list) {
     const Capsule<Q>& c = body.capsule;
-    chain.add_body({body.link, Capsule<S>(converted<S>(c.from), converted<S>(c.axis), converted<S>(c.length), converted<S>(c.radius))});
+    const auto from = converted<S>(c.from);
+    chain.add_body({body.link, Capsule<S>(from, converted<S>(c.axis), converted<S>(c.length), converted<S>(c.radius))});
   }
   return chain;
 }

@@ -13,7 +13,9 @@ using work_cell::Q;
 
 constexpr float number(Q x) { return static_cast<float>(x.raw()) * (1.0f / 134217728.0f); }
 constexpr float number(Unit<Q> x) { return static_cast<float>(x.raw()) * (1.0f / 1073741824.0f); }
-template <class T> constexpr straightforward::Point point(const Vector3<T>& v) { return {number(v.x), number(v.y), number(v.z)}; }
+template <class T> constexpr straightforward::Point point(const Vector3<T>& v) {
+  return {number(v.x), number(v.y), number(v.z)};
+}
 
 template <int count> struct Hinges {
   straightforward::Hinge all[size_t{count}];

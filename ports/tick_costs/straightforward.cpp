@@ -208,7 +208,10 @@ Tick tick(const Cell& data, const float* arm_joints, const float* person_joints)
   out.person = {to_person.distance, direction(to_person.gap), to_person.first, to_person.second};
   out.itself = {to_itself.distance, direction(to_itself.gap), to_itself.first, to_itself.second};
 
-  out.speed = out.itself.distance > 0.0f ? least(speed_at(data.of_person, out.person.distance), speed_at(data.of_cell, out.cell.distance)) : 0.0f;
+  out.speed = 0.0f;
+  if (out.itself.distance > 0.0f) {
+    out.speed = least(speed_at(data.of_person, out.person.distance), speed_at(data.of_cell, out.cell.distance));
+  }
   const FieldValue soft = presence(arm_poses[data.tool_link].t, person_poses);
   out.intensity = soft.value;
   out.repulsion = times(-1.0f, direction(soft.gradient));
