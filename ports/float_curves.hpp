@@ -4,6 +4,8 @@
 
 #include <board/worst_instruction_count.hpp>
 
+#include <nearfield/number/integer.hpp>
+
 namespace nearfield::straightforward {
 
 using board::ValueAndSlope;

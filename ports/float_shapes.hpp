@@ -11,21 +11,35 @@ struct FieldValue {
   Point gradient;
 };
 
-// The FPU's instruction where there is one; otherwise bits halved for a start and three steps of Newton's.
+// As C libraries have it without an FPU, digit by digit; of normal numbers and 0. A call.
+[[gnu::noinline]] inline float root_of_library(float x) {
+  if (!(x > 0.0f)) return 0.0f;
+  unsigned bits;
+  __builtin_memcpy(&bits, &x, sizeof(bits));
+  const int exponent = static_cast<int>(bits >> 23) - 127;
+  unsigned rest = ((bits & 0x7fffffu) | 0x800000u) << ((exponent & 1) + 1), found = 0, twice = 0;
+  for (unsigned digit = 1u << 24; digit != 0; digit >>= 1) {
+    const unsigned tried = twice + digit;
+    if (tried <= rest) {
+      twice = tried + digit;
+      rest -= tried;
+      found += digit;
+    }
+    rest <<= 1;
+  }
+  if (rest != 0) found += found & 1;
+  const unsigned result = (found >> 1) + 0x3f000000u + (static_cast<unsigned>(exponent >> 1) << 23);
+  __builtin_memcpy(&x, &result, sizeof(x));
+  return x;
+}
+// The FPU's instruction where there is one.
 [[gnu::always_inline]] inline float root(float x) {
 #if defined(__ARM_FP)
   float r;
   asm("vsqrt.f32 %0, %1" : "=t"(r) : "t"(x));
   return r;
 #else
-  if (x <= 0.0f) return 0.0f;
-  unsigned bits;
-  __builtin_memcpy(&bits, &x, sizeof(bits));
-  bits = 0x5f3759dfu - (bits >> 1);
-  float y;
-  __builtin_memcpy(&y, &bits, sizeof(y));
-  for (int i = 0; i < 3; ++i) y = y * (1.5f - 0.5f * x * y * y);
-  return x * y;
+  return root_of_library(x);
 #endif
 }
 [[gnu::always_inline]] inline float squared(const Point& p) { return p.x * p.x + p.y * p.y + p.z * p.z; }

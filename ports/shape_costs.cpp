@@ -102,6 +102,17 @@ constexpr straightforward::Segment segment_of(const Capsule<Q>& capsule) {
            static_cast<float>(capsule.axis.z.raw()) * unit},
           metres(capsule.length), metres(capsule.radius)};
 }
+struct FloatCapsules {
+  Capsule<float> all[64];
+};
+constexpr FloatCapsules kFloatCapsules = [] {
+  FloatCapsules made;
+  for (int i = 0; i < 64; ++i) {
+    const straightforward::Segment s = segment_of(kCapsules.all[i]);
+    made.all[i] = {{s.from.x, s.from.y, s.from.z}, {s.axis.x, s.axis.y, s.axis.z}, s.length, s.radius};
+  }
+  return made;
+}();
 constexpr Segments kSegments = [] {
   Segments made{};
   for (int i = 0; i < 64; ++i) made.all[i] = segment_of(kCapsules.all[i]);
@@ -243,6 +254,16 @@ int main() {
                   for (const straightforward::Segment& each : kSegments.all) {
                     const float distance = straightforward::root(straightforward::squared_to_segment(each, p)) - each.radius;
                     least = distance < least ? distance : least;
+                  }
+                  return least;
+                },
+                float_point, 40));
+  value_row("Nearfield in float: nearest of 64 capsules",
+            board::worst_instruction_count(
+                [](const Several<float, 3>& in) {
+                  float least = ScalarTraits<float>::greatest();
+                  for (const Capsule<float>& each : kFloatCapsules.all) {
+                    least = least_of_two(least, each.evaluate<Value<float>>({in.word[0], in.word[1], in.word[2]}).value);
                   }
                   return least;
                 },

@@ -2,6 +2,8 @@
 // kernel is a callable that takes and returns words (uint32_t, int32_t or float): one, or Several.
 #pragma once
 
+#include <stddef.h>
+
 #include <board/instruction_counter.hpp>
 
 namespace nearfield::board {

@@ -5,6 +5,7 @@
 #include <nearfield/field/costs/cortex_m3.hpp>
 #include <nearfield/field/costs/cortex_m33.hpp>
 #include <nearfield/field/costs/cortex_m4.hpp>
+#include <nearfield/field/costs/cortex_m4f.hpp>
 #include <nearfield/field/costs/cortex_m7.hpp>
 #include <nearfield/field/costs/rv32imac.hpp>
 #include <nearfield/field/costs/rv64imac.hpp>
@@ -147,7 +148,7 @@ namespace target {
   }();
 // Every list of targets is made of this one; each has its file in costs/, NEARFIELD_COSTS_OF_<name>.
 #define NEARFIELD_TARGETS(X) \
-  X(cortex_m0) X(cortex_m3) X(cortex_m4) X(cortex_m7) X(cortex_m33) X(rv32imac) X(rv64imac)
+  X(cortex_m0) X(cortex_m3) X(cortex_m4) X(cortex_m4f) X(cortex_m7) X(cortex_m33) X(rv32imac) X(rv64imac)
 NEARFIELD_TARGETS(NEARFIELD_TARGET)
 #undef NEARFIELD_TARGET
 #undef NEARFIELD_OPERATION_ROW
@@ -157,7 +158,8 @@ NEARFIELD_TARGETS(NEARFIELD_TARGET)
 }  // namespace target
 
 // The target that this is compiled for; where that is none of them (a host, say), the Cortex-M4: name another where a budget
-// is relied upon. Of the cores of Armv7E-M, the Cortex-M7 is the one with an FPU of double precision.
+// is relied upon. Of the cores of Armv7E-M, the Cortex-M7 is the one with an FPU of double precision, the
+// Cortex-M4 may have one of single precision.
 #if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
 inline constexpr const Target& kThisTarget = target::cortex_m0;
 #elif defined(__ARM_ARCH_7M__)
@@ -166,6 +168,8 @@ inline constexpr const Target& kThisTarget = target::cortex_m3;
 inline constexpr const Target& kThisTarget = target::cortex_m33;
 #elif defined(__ARM_ARCH_7EM__) && defined(__ARM_FP) && (__ARM_FP & 8)
 inline constexpr const Target& kThisTarget = target::cortex_m7;
+#elif defined(__ARM_ARCH_7EM__) && defined(__ARM_FP)
+inline constexpr const Target& kThisTarget = target::cortex_m4f;
 #elif defined(__riscv) && __riscv_xlen == 32
 inline constexpr const Target& kThisTarget = target::rv32imac;
 #elif defined(__riscv) && __riscv_xlen == 64

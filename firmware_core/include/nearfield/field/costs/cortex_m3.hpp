@@ -4,93 +4,93 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m3(operation, item, part) \
-  operation(sphere, 111, 189, 112)                          \
-  operation(capsule, 161, 237, 162)                         \
-  operation(box, 145, 251, 145)                             \
-  operation(cylinder, 211, 357, 211)                        \
-  operation(soft_point, 123, 265, 186)                      \
-  operation(soft_segment, 167, 309, 232)                    \
-  operation(sharp_union, 23, 34, 25)                        \
-  operation(sharp_intersection, 23, 34, 25)                 \
-  operation(sharp_subtraction, 24, 47, 26)                  \
-  operation(soft_sum, 21, 55, 21)                           \
-  operation(additive_union, 82, 131, 84)                    \
-  operation(additive_intersection, 81, 131, 84)             \
-  operation(additive_subtraction, 84, 141, 83)              \
-  operation(two_sided_union, 90, 136, 91)                   \
-  operation(two_sided_intersection, 90, 136, 92)            \
-  operation(two_sided_subtraction, 91, 146, 92)             \
-  operation(intensity_union, 23, 34, 26)                    \
-  operation(intensity_intersection, 23, 34, 26)             \
-  operation(ray_union, 23, 34, 25)                          \
-  operation(ray_intersection, 23, 34, 25)                   \
+  operation(sphere, 111, 186, 112)                          \
+  operation(capsule, 157, 235, 162)                         \
+  operation(box, 145, 249, 144)                             \
+  operation(cylinder, 211, 355, 211)                        \
+  operation(soft_point, 123, 263, 186)                      \
+  operation(soft_segment, 167, 306, 232)                    \
+  operation(sharp_union, 23, 37, 25)                        \
+  operation(sharp_intersection, 23, 37, 25)                 \
+  operation(sharp_subtraction, 24, 49, 26)                  \
+  operation(soft_sum, 21, 57, 21)                           \
+  operation(additive_union, 82, 134, 84)                    \
+  operation(additive_intersection, 81, 134, 84)             \
+  operation(additive_subtraction, 84, 143, 85)              \
+  operation(two_sided_union, 90, 143, 91)                   \
+  operation(two_sided_intersection, 90, 143, 92)            \
+  operation(two_sided_subtraction, 91, 148, 92)             \
+  operation(intensity_union, 23, 37, 23)                    \
+  operation(intensity_intersection, 23, 37, 23)             \
+  operation(ray_union, 23, 37, 25)                          \
+  operation(ray_intersection, 23, 37, 25)                   \
   operation(potential_of_distance, 87, 197, 115)            \
   operation(potential_of_ray, 87, 197, 125)                 \
-  operation(variable_influence, 141, 421, 144)              \
-  operation(log_sum_exp_union, 157, 169, 157)               \
-  item(log_sum_exp_union, 53, 113, 53)                      \
-  operation(log_sum_exp_intersection, 157, 169, 157)        \
-  item(log_sum_exp_intersection, 53, 113, 53)               \
-  operation(log_sum_exp_subtraction, 144, 170, 144)         \
-  item(log_sum_exp_subtraction, 58, 118, 58)                \
-  operation(ray_point, 133, 236, 133)                       \
-  operation(ray_segment, 183, 280, 183)                     \
-  operation(ray_linear_union, 143, 260, 157)                \
-  operation(ray_linear_intersection, 143, 253, 160)         \
-  operation(ray_linear_difference, 229, 416, 232)           \
-  operation(ray_plane, 82, 129, 87)                         \
-  operation(algebraic_plane, 57, 95, 57)                    \
-  operation(quadric, 165, 244, 165)                         \
+  operation(variable_influence, 141, 425, 144)              \
+  operation(log_sum_exp_union, 157, 167, 157)               \
+  item(log_sum_exp_union, 53, 115, 53)                      \
+  operation(log_sum_exp_intersection, 157, 167, 157)        \
+  item(log_sum_exp_intersection, 53, 115, 53)               \
+  operation(log_sum_exp_subtraction, 144, 168, 144)         \
+  item(log_sum_exp_subtraction, 58, 121, 58)                \
+  operation(ray_point, 133, 234, 133)                       \
+  operation(ray_segment, 178, 278, 183)                     \
+  operation(ray_linear_union, 143, 251, 157)                \
+  operation(ray_linear_intersection, 143, 263, 161)         \
+  operation(ray_linear_difference, 229, 410, 232)           \
+  operation(ray_plane, 82, 127, 87)                         \
+  operation(algebraic_plane, 57, 93, 57)                    \
+  operation(quadric, 165, 242, 165)                         \
   operation(algebraic_of_distance, 28, 68, 28)              \
-  operation(algebraic_of_ray, 42, 105, 40)                  \
-  operation(hoffmann_hopcroft_union, 125, 387, 125)         \
-  operation(hoffmann_hopcroft_intersection, 142, 413, 145)  \
-  operation(hoffmann_hopcroft_difference, 135, 419, 139)    \
-  operation(functional_spline, 130, 367, 130)               \
-  item(functional_spline, 20, 83, 20)                       \
-  operation(ribbon_patch, 534, 676, 534)                    \
-  item(ribbon_patch, 133, 374, 133)                         \
-  operation(corner_patch, 757, 247, 757)                    \
-  item(corner_patch, 208, 603, 208)                         \
-  operation(algebraic_union, 23, 34, 25)                    \
-  operation(algebraic_intersection, 23, 34, 25)             \
-  operation(tapered_capsule, 209, 413, 215)                 \
-  operation(cone_frustum, 243, 389, 249)                    \
-  operation(torus, 181, 353, 185)                           \
-  operation(disc, 193, 347, 193)                            \
-  operation(half_space, 47, 77, 54)                         \
-  operation(infinite_cylinder, 106, 187, 109)               \
-  operation(infinite_cone, 159, 244, 159)                   \
+  operation(algebraic_of_ray, 42, 105, 41)                  \
+  operation(hoffmann_hopcroft_union, 125, 389, 128)         \
+  operation(hoffmann_hopcroft_intersection, 142, 415, 145)  \
+  operation(hoffmann_hopcroft_difference, 135, 421, 139)    \
+  operation(functional_spline, 130, 365, 130)               \
+  item(functional_spline, 20, 85, 20)                       \
+  operation(ribbon_patch, 534, 674, 534)                    \
+  item(ribbon_patch, 133, 377, 133)                         \
+  operation(corner_patch, 757, 245, 757)                    \
+  item(corner_patch, 208, 605, 208)                         \
+  operation(algebraic_union, 23, 37, 23)                    \
+  operation(algebraic_intersection, 23, 37, 23)             \
+  operation(tapered_capsule, 209, 411, 216)                 \
+  operation(cone_frustum, 243, 387, 244)                    \
+  operation(torus, 186, 351, 185)                           \
+  operation(disc, 193, 345, 193)                            \
+  operation(half_space, 54, 75, 54)                         \
+  operation(infinite_cylinder, 109, 185, 109)               \
+  operation(infinite_cone, 159, 242, 159)                   \
   operation(offset, 16, 23, 16)                             \
-  operation(polygon, 142, 228, 142)                         \
+  operation(polygon, 142, 226, 142)                         \
   item(polygon, 58, 58, 58)                                 \
-  operation(polyline, 116, 203, 116)                        \
+  operation(polyline, 116, 201, 116)                        \
   item(polyline, 60, 59, 60)                                \
-  operation(cubic_curve, 1110, 1193, 1110)                  \
+  operation(cubic_curve, 1110, 1190, 1110)                  \
   item(cubic_curve, 797, 790, 797)                          \
-  operation(bicubic_patch, 4787, 4862, 4787)                \
-  operation(ray_slab, 89, 147, 94)                          \
+  operation(bicubic_patch, 4787, 4860, 4787)                \
+  operation(ray_slab, 89, 145, 94)                          \
   operation(ray_of_distance, 51, 114, 51)                   \
-  operation(ray_sweep, 425, 726, 428)                       \
+  operation(ray_sweep, 425, 724, 428)                       \
   item(ray_sweep, 26, 39, 26)                               \
-  operation(algebraic_torus, 156, 412, 156)                 \
+  operation(algebraic_torus, 148, 410, 156)                 \
   operation(noise_intensity, 108, 311, 56)                  \
   item(noise_intensity, 161, 226, 5)                        \
   operation(noise_distance, 94, 172, 94)                    \
   item(noise_distance, 161, 226, 161)                       \
-  operation(morph, 31, 67, 32)                              \
-  operation(intensity_morph, 31, 67, 31)                    \
-  operation(ray_morph, 31, 67, 32)                          \
+  operation(morph, 31, 66, 32)                              \
+  operation(intensity_morph, 31, 66, 31)                    \
+  operation(ray_morph, 31, 66, 32)                          \
   operation(swell, 25, 32, 25)                              \
   operation(fade, 23, 43, 23)                               \
-  operation(scale_along, 102, 237, 102)                     \
+  operation(scale_along, 102, 235, 102)                     \
   operation(scale_about, 278, 670, 278)                     \
-  operation(scale_from_axis, 145, 361, 146)                 \
+  operation(scale_from_axis, 145, 360, 145)                 \
   operation(enter_pose, 124, 185, 225)                      \
   operation(enter_slot, 118, 168, 216)                      \
   operation(enter_scale, 100, 136, 174)                     \
   operation(enter_box, 177, 246, 213)                       \
-  part(query, 31, 223, 87)                                  \
+  part(query, 31, 225, 87)                                  \
   part(pose_check, 0, 336, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
   part(c_interface, 0, 508, 0)                              \
@@ -100,7 +100,7 @@
   part(revolute_joint, 823, 0, 0)                           \
   part(other_joint, 445, 0, 0)                              \
   part(placed_body, 125, 0, 0)                              \
-  part(swept_capsule, 329, 0, 0)                            \
+  part(swept_capsule, 327, 0, 0)                            \
   part(refinement, 419, 0, 0)                               \
   part(stretch, 2, 0, 0)                                    \
   part(capsule_pair, 437, 0, 0)                             \

@@ -6,27 +6,27 @@
 #define NEARFIELD_COSTS_OF_cortex_m7(operation, item, part) \
   operation(sphere, 113, 190, 113)                          \
   operation(capsule, 160, 236, 160)                         \
-  operation(box, 144, 251, 144)                             \
-  operation(cylinder, 207, 361, 211)                        \
+  operation(box, 141, 251, 144)                             \
+  operation(cylinder, 208, 361, 211)                        \
   operation(soft_point, 124, 259, 187)                      \
-  operation(soft_segment, 162, 301, 231)                    \
+  operation(soft_segment, 166, 301, 231)                    \
   operation(sharp_union, 23, 30, 25)                        \
   operation(sharp_intersection, 23, 30, 25)                 \
-  operation(sharp_subtraction, 24, 42, 26)                  \
+  operation(sharp_subtraction, 24, 42, 24)                  \
   operation(soft_sum, 21, 50, 21)                           \
-  operation(additive_union, 81, 129, 81)                    \
+  operation(additive_union, 81, 129, 83)                    \
   operation(additive_intersection, 80, 129, 84)             \
   operation(additive_subtraction, 83, 141, 85)              \
-  operation(two_sided_union, 88, 135, 91)                   \
+  operation(two_sided_union, 88, 135, 88)                   \
   operation(two_sided_intersection, 88, 135, 91)            \
-  operation(two_sided_subtraction, 90, 144, 90)             \
-  operation(intensity_union, 23, 30, 26)                    \
-  operation(intensity_intersection, 23, 30, 26)             \
+  operation(two_sided_subtraction, 90, 144, 92)             \
+  operation(intensity_union, 23, 30, 23)                    \
+  operation(intensity_intersection, 23, 30, 23)             \
   operation(ray_union, 23, 30, 25)                          \
   operation(ray_intersection, 23, 30, 25)                   \
   operation(potential_of_distance, 87, 191, 115)            \
   operation(potential_of_ray, 87, 191, 125)                 \
-  operation(variable_influence, 145, 417, 147)              \
+  operation(variable_influence, 145, 427, 147)              \
   operation(log_sum_exp_union, 160, 182, 160)               \
   item(log_sum_exp_union, 51, 111, 51)                      \
   operation(log_sum_exp_intersection, 160, 182, 160)        \
@@ -35,14 +35,14 @@
   item(log_sum_exp_subtraction, 56, 115, 56)                \
   operation(ray_point, 133, 238, 133)                       \
   operation(ray_segment, 182, 282, 182)                     \
-  operation(ray_linear_union, 141, 259, 155)                \
-  operation(ray_linear_intersection, 141, 249, 158)         \
+  operation(ray_linear_union, 141, 258, 155)                \
+  operation(ray_linear_intersection, 141, 248, 158)         \
   operation(ray_linear_difference, 225, 405, 228)           \
   operation(ray_plane, 87, 129, 87)                         \
-  operation(algebraic_plane, 51, 94, 57)                    \
+  operation(algebraic_plane, 57, 94, 57)                    \
   operation(quadric, 161, 245, 161)                         \
   operation(algebraic_of_distance, 28, 66, 28)              \
-  operation(algebraic_of_ray, 41, 102, 41)                  \
+  operation(algebraic_of_ray, 41, 102, 40)                  \
   operation(hoffmann_hopcroft_union, 123, 355, 125)         \
   operation(hoffmann_hopcroft_intersection, 138, 379, 140)  \
   operation(hoffmann_hopcroft_difference, 132, 381, 134)    \
@@ -57,7 +57,7 @@
   operation(tapered_capsule, 218, 428, 218)                 \
   operation(cone_frustum, 230, 388, 230)                    \
   operation(torus, 187, 353, 187)                           \
-  operation(disc, 191, 347, 196)                            \
+  operation(disc, 196, 347, 196)                            \
   operation(half_space, 53, 77, 53)                         \
   operation(infinite_cylinder, 107, 189, 110)               \
   operation(infinite_cone, 161, 251, 161)                   \
@@ -69,11 +69,11 @@
   operation(cubic_curve, 1101, 1184, 1101)                  \
   item(cubic_curve, 794, 795, 794)                          \
   operation(bicubic_patch, 4752, 4826, 4752)                \
-  operation(ray_slab, 94, 147, 94)                          \
+  operation(ray_slab, 89, 147, 94)                          \
   operation(ray_of_distance, 51, 112, 51)                   \
   operation(ray_sweep, 451, 730, 456)                       \
   item(ray_sweep, 24, 41, 24)                               \
-  operation(algebraic_torus, 152, 394, 152)                 \
+  operation(algebraic_torus, 143, 394, 152)                 \
   operation(noise_intensity, 109, 295, 53)                  \
   item(noise_intensity, 159, 235, 8)                        \
   operation(noise_distance, 94, 167, 94)                    \
