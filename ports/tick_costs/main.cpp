@@ -1,12 +1,9 @@
 // What one whole tick of an arm costs on this core, next to straightforward float code for the same work: worst and mean over
 // 1,000 ticks of the default work cell, 24 ms apart. Fails if the counter is not exact, if they do not tell the same, or if
 // what is composed in the source does not give the bits of images.
-#include <work_cell/player.hpp>
-
-#include <work_cell.inc>
-
 #include <board/console.hpp>
 #include <board/cost_rows.hpp>
+#include <board/default_work_cell.hpp>
 
 #include <tick_costs/composed.hpp>
 #include <tick_costs/in_float.hpp>
@@ -16,14 +13,12 @@ namespace {
 using namespace nearfield;
 using work_cell::Q;
 using straightforward::Tick;
-using Player = work_cell::Player<work_cell::kArmLinks, work_cell::kArmBodies, work_cell::kPersonLinks, work_cell::kPersonBodies,
-                                 work_cell::Operations>;
 
 constexpr uint32_t kTicks = 1000;
 constexpr uint32_t kMillisecondsApart = 24;
 
 // Not in line: the count is that of a call.
-[[gnu::noipa]] void tick_of_images(const Player::Monitor& monitor, const Q* arm, const Q* person, ArmTick<Q>& out) {
+[[gnu::noipa]] void tick_of_images(const board::Player::Monitor& monitor, const Q* arm, const Q* person, ArmTick<Q>& out) {
   out = monitor.tick(arm, person);
 }
 
@@ -107,17 +102,12 @@ bool same(const ArmTick<Q>& a, const ArmTick<Q>& b) {
          a.speed_override == b.speed_override;
 }
 
-alignas(Player) unsigned char player_memory[sizeof(Player)];
-
 }  // namespace
-
-// Placement into static memory, without the library header that declares it.
-inline void* operator new(size_t, void* at) noexcept { return at; }
 
 int main() {
   if (!board::prepare_instruction_counter()) return 1;
   const work_cell::WorkCell& data = work_cell::kWorkCell;
-  const Player& player = *new (player_memory) Player(data);
+  const board::Player& player = board::start_player();
   if (player.status() != work_cell::PlayerStatus::ok) return 1;
   const uint64_t cycle = uint64_t{data.arm.track.times.data[data.arm.track.times.count - 1]} << 27;
   uint64_t cycle_time = 0;

@@ -3,6 +3,8 @@
 #include <nearfield/field/builder.hpp>
 #include <nearfield/field/compose.hpp>
 #include <nearfield/field/program.hpp>
+#include <nearfield/query/capsule_clearance.hpp>
+#include <nearfield/query/chain.hpp>
 #include <nearfield/query/soft_clearance.hpp>
 
 #include <gtest/gtest.h>
@@ -88,6 +90,39 @@ TEST(Budget, OfAProgramIsTheSumOfItsOperationsAndItsQuery) {
   EXPECT_EQ(Program<S>().budget().gradient, 0u);
   // A core without a long multiplication takes longer.
   EXPECT_GT(program.budget(target::cortex_m0).gradient, 2 * program.budget(target::cortex_m4).gradient);
+}
+
+template <class Other> void expect_not_measured() {
+  const auto composed = field(Sphere<Other>{{}, Other(0.1f)});
+  ImageBuilder<Other, 64> builder;
+  builder.operation(Sphere<Other>{{}, Other(0.1f)});
+  ASSERT_EQ(builder.finish().status, LoadStatus::ok);
+  const Program<Other> program = load<Other>(builder.words(), builder.size() * 4);
+  for (const Budget& budget : {composed.budget(), program.budget()}) {
+    EXPECT_GE(budget.value, kLeastThatIsNone);
+    EXPECT_GE(budget.gradient, kLeastThatIsNone);
+    EXPECT_GE(budget.highest, kLeastThatIsNone);
+  }
+  const Chain<Other, 2, 2> chain;
+  EXPECT_GE(chain.poses_budget(), kLeastThatIsNone);
+}
+
+// Costs are of Fixed<27>: other roundings take other instructions, and float depends on whether there is an FPU.
+TEST(Budget, OfOtherScalarsIsNotMeasured) {
+  expect_not_measured<Fixed<24>>();
+  expect_not_measured<Fixed<16>>();
+  expect_not_measured<float>();
+}
+
+// Sums of what was not measured must not come round to something that looks small.
+TEST(Budget, OfQueriesStaysAtTheGreatestNumber) {
+  const auto composed = field(Sphere<S>{{}, S(0.1)});
+  const Target unknown;
+  EXPECT_GE(sweep_budget(composed, 1, 0, unknown), kLeastThatIsNone);
+  for (uint32_t count = 1; count < 200; ++count)
+    for (uint32_t refinements = 0; refinements < 40; ++refinements)
+      EXPECT_GE(sweep_budget(composed, count, refinements, unknown), kLeastThatIsNone) << count << ' ' << refinements;
+  EXPECT_GE(soft_clearance_budget(composed, unknown), kLeastThatIsNone);
 }
 
 }  // namespace

@@ -13,6 +13,17 @@
 
 namespace nearfield {
 
+namespace detail {
+
+// At the greatest number where they do not fit.
+constexpr uint32_t sum_of_costs(uint32_t a, uint32_t b) { return a + b < a ? UINT32_MAX : a + b; }
+constexpr uint32_t product_of_costs(uint32_t count, uint32_t cost) {
+  const uint64_t exact = uint64_t{count} * cost;
+  return exact > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(exact);
+}
+
+}  // namespace detail
+
 // Worst-case instructions of one evaluation: the value alone, value with gradient, the greatest value in a ball. Sums that
 // do not fit stay at the greatest number.
 struct Budget {
@@ -21,17 +32,12 @@ struct Budget {
   uint32_t highest = 0;
 
   friend constexpr Budget operator+(Budget a, Budget b) {
-    return {sum(a.value, b.value), sum(a.gradient, b.gradient), sum(a.highest, b.highest)};
+    using detail::sum_of_costs;
+    return {sum_of_costs(a.value, b.value), sum_of_costs(a.gradient, b.gradient), sum_of_costs(a.highest, b.highest)};
   }
   friend constexpr Budget operator*(uint32_t count, Budget b) {
-    return {product(count, b.value), product(count, b.gradient), product(count, b.highest)};
-  }
-
- private:
-  static constexpr uint32_t sum(uint32_t a, uint32_t b) { return a + b < a ? UINT32_MAX : a + b; }
-  static constexpr uint32_t product(uint32_t a, uint32_t b) {
-    const uint64_t exact = uint64_t{a} * b;
-    return exact > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(exact);
+    using detail::product_of_costs;
+    return {product_of_costs(count, b.value), product_of_costs(count, b.gradient), product_of_costs(count, b.highest)};
   }
 };
 
@@ -58,6 +64,11 @@ namespace detail {
 
 // Nothing costs as much: a budget with something in it that was not measured can be seen to be no budget.
 inline constexpr Budget kNotMeasured = {100000000, 100000000, 100000000};
+
+// Budgets of fields and chains in S: costs are of Fixed<27>. Others round elsewhere and exceed them, by up to a fifth.
+template <class S> constexpr Budget budget_in(Budget sum) {
+  return ScalarTraits<S>::tag == ScalarTraits<Fixed<27>>::tag ? sum : kNotMeasured;
+}
 
 // A row of costs/, 65,535 where there is none.
 struct CostRow {

@@ -399,9 +399,11 @@ template <class Node> class Field {
   constexpr bool valid() const { return certificate_.valid; }
   static constexpr Kind kind() { return Node::kind; }
   constexpr const Certificate<Scalar>& certificate() const { return certificate_; }
-  // Worst-case instructions of a value, and of a clearance with all that it checks.
+  // Worst-case instructions of a value, and of a clearance with all that it checks. Measured of Fixed<27>; of
+  // other scalars 100,000,000.
   constexpr Budget budget(const Target& target = kThisTarget) const {
-    return target.query_cost(slot_count_, parameter_count_) + detail::NodeTraits<Node>::budget(node_, target);
+    return detail::budget_in<Scalar>(target.query_cost(slot_count_, parameter_count_) +
+                                     detail::NodeTraits<Node>::budget(node_, target));
   }
   constexpr uint32_t slot_count() const { return slot_count_; }
   constexpr uint32_t parameter_count() const { return parameter_count_; }

@@ -40,7 +40,7 @@ template <class S, class Operations = AllOperations> class Program {
   constexpr const Certificate<S>& certificate() const { return inspection_.certificate; }
   // Worst-case instructions of a value, and of a clearance with all that it checks. Nothing if not valid. Cost: a walk over
   // the image.
-  Budget budget(const Target& target = kThisTarget) const;
+  Budget budget(const Target& target = kThisTarget) const;  // of other scalars than Fixed<27> 100,000,000
   constexpr uint32_t slot_count() const { return inspection_.slot_count; }
   constexpr uint32_t parameter_count() const { return inspection_.parameter_count; }
   // As it was loaded from.
@@ -275,7 +275,7 @@ template <class S, class Operations> Budget Program<S, Operations>::budget(const
     sum = sum + cost_in_image(target, static_cast<Operation>(word & 0xffu), at);
     at += word >> 8;
   }
-  return sum;
+  return detail::budget_in<S>(sum);
 }
 
 // Checks an image in place, without copying it; see inspect_image() for the cost. `byte_count` may exceed the image.

@@ -77,16 +77,18 @@ template <class ArmChain, class PersonChain, class Cell, class Soft> struct ArmM
     const uint32_t bodies = arm->body_count(), person_bodies = person == nullptr ? 0 : person->body_count();
     uint32_t near_cell = 0;
     for (uint32_t i = 0; i < bodies; ++i) near_cell += checked_against_cell[i] != 0 ? 1 : 0;
-    const auto share = [&target](QueryPart part) { return target.cost(part).value; };
-    // Poses from link_poses() are not checked again.
-    const uint32_t unchecked = soft == nullptr ? 0 : soft->slot_count() * target.cost(QueryPart::pose_check).gradient;
     // QueryPart::tick is what a tick costs besides its parts, of chains of up to 16 links and bodies.
-    return (capacity + 15) / 16 * share(QueryPart::tick) + arm->poses_budget(target) +
-           (person == nullptr ? 0 : person->poses_budget(target)) +
-           (bodies + person_bodies) * share(QueryPart::placed_body) +
-           sweep_budget(*cell, near_cell, static_cast<uint32_t>(effort.refinements), target) +
-           (bodies * person_bodies + self_pair_count) * share(QueryPart::capsule_pair) +
-           (soft == nullptr ? 0 : soft->budget(target).gradient - unchecked);
+    const Budget own = (capacity + 15) / 16 * target.cost(QueryPart::tick) +
+                       (bodies + person_bodies) * target.cost(QueryPart::placed_body) +
+                       (bodies * person_bodies + self_pair_count) * target.cost(QueryPart::capsule_pair);
+    // Poses from link_poses() are not checked again.
+    const uint32_t of_soft =
+        soft == nullptr ? 0
+                        : soft->budget(target).gradient - soft->slot_count() * target.cost(QueryPart::pose_check).gradient;
+    uint32_t sum = detail::sum_of_costs(own.value, arm->poses_budget(target));
+    if (person != nullptr) sum = detail::sum_of_costs(sum, person->poses_budget(target));
+    sum = detail::sum_of_costs(sum, sweep_budget(*cell, near_cell, static_cast<uint32_t>(effort.refinements), target));
+    return detail::sum_of_costs(sum, of_soft);
   }
 
  private:

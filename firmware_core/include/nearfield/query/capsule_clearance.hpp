@@ -153,10 +153,11 @@ template <class AnyField, class S> class CapsuleSweep {
 // Cost: at most sweep_budget().
 template <class AnyField>
 constexpr uint32_t sweep_budget(const AnyField& field, uint32_t count, uint32_t refinements, const Target& target = kThisTarget) {
-  const Budget of_field = field.budget(target), stretch = target.cost(QueryPart::stretch);
-  const uint32_t value = of_field.value;
-  return of_field.gradient + count * (value + target.cost(QueryPart::swept_capsule).value) +
-         refinements * (value + target.cost(QueryPart::refinement).value + stretch.value * (count + refinements));
+  const Budget of_field = field.budget(target);
+  const Budget stretches = (count + refinements) * target.cost(QueryPart::stretch);
+  const Budget values = count * (of_field + target.cost(QueryPart::swept_capsule)) +
+                        refinements * (of_field + target.cost(QueryPart::refinement) + stretches);
+  return detail::sum_of_costs(of_field.gradient, values.value);
 }
 
 template <class AnyField, class S = typename AnyField::Scalar>

@@ -180,8 +180,9 @@ template <class S, int MaxLinks, int MaxBodies> class Chain {
     uint32_t revolute = 0;
     for (int i = 0; i + 1 < links_; ++i) revolute += joints_[i].kind == JointKind::revolute ? 1u : 0u;
     const uint32_t others = links_ - (links_ == 0 ? 0u : 1u) - revolute;
-    return target.cost(QueryPart::link_poses).value + revolute * target.cost(QueryPart::revolute_joint).value +
-           others * target.cost(QueryPart::other_joint).value;
+    const Budget sum = target.cost(QueryPart::link_poses) + revolute * target.cost(QueryPart::revolute_joint) +
+                       others * target.cost(QueryPart::other_joint);
+    return detail::budget_in<S>(sum).value;
   }
 
   // Body i in the frame of the base, from its link's pose. Cost: target.cost(QueryPart::placed_body).

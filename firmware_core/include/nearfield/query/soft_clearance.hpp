@@ -34,7 +34,8 @@ constexpr bool may_be_asked_softly(const AnyField& field, const Vector3<S>& p, c
 // Worst-case instructions of a query below.
 template <class AnyField> constexpr uint32_t soft_clearance_budget(const AnyField& field, const Target& target = kThisTarget) {
   const Budget of_field = field.budget(target);
-  return of_field.gradient + target.cost(QueryPart::soft_clearance).gradient + kSoftClearanceSteps * of_field.highest;
+  const Budget steps = static_cast<uint32_t>(kSoftClearanceSteps) * of_field;
+  return detail::sum_of_costs((of_field + target.cost(QueryPart::soft_clearance)).gradient, steps.highest);
 }
 
 // A ball around p (metres, field frame, within ScalarTraits<S>::domain()) in which an intensity, a Field or a Program, is
