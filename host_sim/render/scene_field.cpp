@@ -65,21 +65,30 @@ class SceneFieldIn final : public SceneField {
     if (!highest_ || f <= proof_.error) return by_rate;
     return std::max(by_rate, careful(radius_below_level(p, std::max(guess, by_rate), by_rate)));
   }
+  bool is_free(const Vector3d& p, double radius) const override {
+    if (!certified()) return false;
+    const double f = outward(p);
+    if (free_radius_where(f) >= radius) return true;
+    const double needed = (radius + rounding_) / careful_factor;
+    return highest_ && f > proof_.error && needed <= domain_ && proved(quantise<S>(p), needed);
+  }
   double free_radius_where(double outward) const override {
     return proof_.rate ? careful((std::abs(outward) - proof_.error) / *proof_.rate) : 0.0;
   }
 
  private:
+  // By the field's greatest value in a ball.
+  bool proved(const nearfield::Vector3<S>& centre, double radius) const {
+    return real(field_.program.highest(centre, quantise<S>(radius), field_.slots).value) + proof_.error <
+           level_;
+  }
   double careful(double radius) const { return std::max(0.0, careful_factor * radius - rounding_); }
 
   // Of the radii guess 2^k, the greatest of a few that highest() proves; 0 when none is. `known`: a radius
   // known to be free, with which a search that finds nothing soon contents itself.
   double radius_below_level(const Vector3d& p, double guess, double known) const {
     const nearfield::Vector3<S> centre = quantise<S>(p);
-    const auto proved = [&](double radius) {
-      return real(field_.program.highest(centre, quantise<S>(radius), field_.slots).value) + proof_.error <
-             level_;
-    };
+    const auto proved = [&](double radius) { return this->proved(centre, radius); };
     const double greatest = domain_,
                  least = known > 0.0 ? std::max(1.4 * known, 0.2 * guess) : 64.0 * rounding_;
     double radius = std::min(std::max(guess, least), greatest);

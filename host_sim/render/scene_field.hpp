@@ -48,7 +48,10 @@ class SceneField {
   // it, and of intensities how much is found).
   virtual double free_radius(const Vector3d& p, double guess) const = 0;
 
-  // The same from f alone, by the rate; 0 without one. Cheaper, and of intensities less.
+  // Whether free_radius() can be `radius` or more: one look where that searches.
+  virtual bool is_free(const Vector3d& p, double radius) const = 0;
+
+  // free_radius() from f alone, by the rate; 0 without one. Cheaper, and of intensities less.
   virtual double free_radius_where(double outward) const = 0;
 
   bool inside(const Vector3d& p) const { return outward(p) < 0.0; }
