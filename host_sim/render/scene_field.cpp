@@ -30,6 +30,7 @@ class SceneFieldIn final : public SceneField {
         metres_per_gradient_(kind_ == Kind::distance ? 1.0 : detail::power_of_two(kGradientLengthLog2)),
         domain_(real(ScalarTraits<S>::domain())),
         saturation_((1.0 - 1e-6) * real(algebraic_limit<S>())),
+        doubtful_(kind_ == Kind::algebraic ? 0.125 * saturation_ : saturation_),
         rounding_(1.8 * real(ScalarTraits<S>::rounding_unit(ScalarTraits<S>::domain()))) {
     const Certificate<S>& certificate = field_.program.certificate();
     if (certificate.lipschitz != kNoRateBound && !certificate.partial) {
@@ -55,8 +56,9 @@ class SceneFieldIn final : public SceneField {
     const Sample<S> sample = field_.at(quantise<S>(p));
     // A gradient says nothing of a value that ends there.
     const double factor = std::abs(real(sample.value)) < saturation_ ? sign_ / metres_per_gradient_ : 0.0;
-    return {sign_ * (real(sample.value) - level_),
-            factor * Vector3d{real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)}};
+    const Vector3d gradient{real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)};
+    const double largest = std::max({std::abs(gradient.x), std::abs(gradient.y), std::abs(gradient.z)});
+    return {sign_ * (real(sample.value) - level_), factor * gradient, largest >= doubtful_};
   }
 
   double free_radius(const Vector3d& p, double guess) const override {
@@ -106,7 +108,7 @@ class SceneFieldIn final : public SceneField {
 
   FieldAtRest<S> field_;
   Kind kind_;
-  double level_, sign_, metres_per_gradient_, domain_, saturation_;
+  double level_, sign_, metres_per_gradient_, domain_, saturation_, doubtful_;
   double rounding_;  // m: how far a point moves at most when it becomes one of the scalar's
   FieldProof proof_;
   bool highest_ = false;

@@ -19,6 +19,9 @@ namespace nearfield::host {
 struct FieldAnswer {
   double outward = 0.0;  // f
   Vector3d gradient;     // of f, per m; {0, 0, 0} where the value has saturated
+  // Saturated, or of an algebraic field so large that what it is made of may have: then neither its length
+  // nor its direction need hold.
+  bool gradient_doubtful = false;
 };
 
 // What is proved of f, as double and rounded to the careful side.
