@@ -263,7 +263,7 @@ class Renderer {
       const Vector3d at = p + reach * normal;
       const double near = 1.0 - smooth_step(0.0, 0.25 * radius_, distance_to(settings_.surface, at));
       if (near <= 0.0 || !settings_.drawn.contains(at)) continue;
-      hidden += near * (1.0 - first_order_distance(field_.at(at), reach) / reach);
+      hidden += near * (1.0 - first_order_distance(field_, at, reach) / reach);
     }
     return 1.0 - 0.85 * hidden / static_cast<double>(openness_reaches.size());
   }
