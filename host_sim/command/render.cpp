@@ -114,8 +114,7 @@ Drawing draw_scene(const Options& options, const ReportProgress& report) {
   if (!colour)
     throw UsageError("--colour " + colour_text + ": a hash and six hexadecimal digits, such as #95AECA");
   settings.colour = *colour;
-  if (const auto spacing = number_of(options, "bands", {0.0, 1000.0, "", true}))
-    settings.bands = even_bands(*spacing);
+  if (const auto spacing = number_of(options, "bands", {1e-6, 1000.0})) settings.bands = even_bands(*spacing);
   settings.steps = whole_number_of(options, "steps", 16, 65536, 512);
   settings.threads = threads_of(options);
   const auto field = field_of(options, scene);

@@ -70,7 +70,7 @@ SliceSettings settings_of(const Options& options, const SceneField& field) {
   settings.height = size_of(options).height;
   if (settings.width < 160 || settings.height < 160)
     throw UsageError("--size: a slice needs 160 pixels each way at least");
-  settings.spacing = number_of(options, "spacing", {0.0, 1e6, "", true});
+  settings.spacing = number_of(options, "spacing", {1e-6, 1e6});
   if (settings.spacing && options.has("levels"))
     throw UsageError("--levels and --spacing exclude each other");
   settings.levels = static_cast<int>(whole_number_of(options, "levels", 1, 100, 10));
@@ -88,7 +88,7 @@ SliceSettings settings_of(const Options& options, const SceneField& field) {
     settings.middle_u = dot(*origin - settings.plane.origin, settings.plane.u);
     settings.middle_v = dot(*origin - settings.plane.origin, settings.plane.v);
   }
-  if (const auto width = number_of(options, "width-metres", {0.0, 1000.0, "m", true}))
+  if (const auto width = number_of(options, "width-metres", {1e-6, 1000.0, "m"}))
     settings.width_metres = *width;
   return settings;
 }

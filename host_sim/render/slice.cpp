@@ -8,6 +8,7 @@
 #include "draw/number_text.hpp"
 #include "render/renderer.hpp"
 #include "render/view.hpp"
+#include "text/number.hpp"
 
 namespace nearfield::host {
 namespace {
@@ -157,7 +158,7 @@ draw::SlicePicture slice_of(const SceneField& field, const SliceSettings& settin
     }
   }
   picture.note = std::string(name_of(field.kind())) + "; " + place_of(plane) + "; contours every " +
-                 draw::short_text(picture.spacing, 6) + (field.kind() == Kind::distance ? " m" : "");
+                 format_number(picture.spacing) + (field.kind() == Kind::distance ? " m" : "");
   return picture;
 }
 
