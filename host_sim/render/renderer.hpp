@@ -46,7 +46,7 @@ struct Rendering {
   double ground_spacing = 0.0;  // m, between the lines on the ground; 0 without a ground
 };
 
-// One ray for each pixel, and nine more where neighbours differ. The same settings give the same bytes,
+// One ray for each pixel, and four more where neighbours differ. The same settings give the same bytes,
 // whatever the number of threads.
 Rendering render(const SceneField& field, const RenderSettings& settings, const ReportProgress& report = {});
 
