@@ -162,7 +162,7 @@ Drawing draw_curve(const Options& options, const ReportProgress&) {
   if (options.has("list")) throw UsageError("--list goes without a name and without other options");
   const CurveStudy study = checked_study_of(options);
   options.required("svg");
-  return {draw::curve_picture_svg(picture_of(study, rising_range_of(options, study))), said_of(study)};
+  return {draw::curve_picture_svg(picture_of(study, rising_range_of(options, study))), said_of(study), ""};
 }
 
 int run_curve(const std::vector<std::string>& arguments) {

@@ -1,5 +1,7 @@
 #include "command/drawing.hpp"
 
+#include <cstdio>
+
 namespace nearfield::host {
 
 const std::vector<DrawingVerb>& drawing_verbs() {
@@ -9,6 +11,11 @@ const std::vector<DrawingVerb>& drawing_verbs() {
       {"curve", curve_options, "svg", ".svg", false, draw_curve},
   };
   return all;
+}
+
+void print_warning(const std::string& file, const Drawing& drawing) {
+  if (!drawing.warning.empty())
+    std::fprintf(stderr, "%s: warning: %s\n", file.c_str(), drawing.warning.c_str());
 }
 
 }  // namespace nearfield::host

@@ -10,8 +10,9 @@
 namespace nearfield::host {
 
 struct Drawing {
-  std::string bytes;  // of a whole file
-  std::string said;   // what is printed after the file's name
+  std::string bytes;    // of a whole file
+  std::string said;     // what is printed after the file's name
+  std::string warning;  // what of the picture is not as it should be, in one line; mostly empty
 };
 
 // A verb that draws one picture, into the file that one of its options names.
@@ -33,5 +34,8 @@ Drawing draw_scene(const Options& options, const ReportProgress& report);
 Drawing draw_curve(const Options& options, const ReportProgress& report);
 
 const std::vector<DrawingVerb>& drawing_verbs();
+
+// A line on standard error, unless there is nothing to warn of.
+void print_warning(const std::string& file, const Drawing& drawing);
 
 }  // namespace nearfield::host

@@ -127,6 +127,7 @@ DrawnPicture drawn(const Job& job) {
     Drawing drawing = job.verb->draw(job.options, {});
     picture.bytes = std::move(drawing.bytes);
     picture.said = std::move(drawing.said);
+    picture.warning = std::move(drawing.warning);
     if (!job.verb->of_scene) return picture;
     const SceneDescription scene = scene_of(job.options, "nearfield " + job.verb->name + " SCENE");
     picture.scene_file = std::filesystem::path(scene.file).filename().string();
@@ -204,8 +205,16 @@ int run_gallery(const std::vector<std::string>& arguments) {
         jobs.push_back(job_of(chapter, figure, i, folder));
     }
   }
-  const std::string page = gallery_page(chapters, draw_all(jobs, threads));
+  const std::vector<DrawnPicture> pictures = draw_all(jobs, threads);
+  const std::string page = gallery_page(chapters, pictures);
   write_file(output, page);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (!pictures[i].warning.empty()) {
+      std::fprintf(stderr, "%s: %s: %s, picture %zu: warning: %s\n", jobs[i].chapter->file.c_str(),
+                   (jobs[i].picture->path + ".command").c_str(), jobs[i].figure.c_str(),
+                   jobs[i].number_in_row, pictures[i].warning.c_str());
+    }
+  }
   std::printf("%s: %zu figures, %zu pictures, %.1f MB\n", output.c_str(), figures, jobs.size(),
               static_cast<double>(page.size()) / 1e6);
   return 0;

@@ -74,6 +74,13 @@ std::string stepping_in_words(const Rendering& rendering) {
          std::to_string(rendering.rays) + " rays ended by bisection";
 }
 
+std::string warning_of(const Rendering& rendering) {
+  if (rendering.saturated_gradients == 0) return "";
+  return "gradients saturate at " + std::to_string(rendering.saturated_gradients) + " of " +
+         std::to_string(rendering.surface_rays) +
+         " places of the surface, where it is shaded by differences; another --scalar holds more";
+}
+
 }  // namespace
 
 std::vector<OptionDescription> render_options() {
@@ -107,8 +114,7 @@ Drawing draw_scene(const Options& options, const ReportProgress& report) {
   if (!colour)
     throw UsageError("--colour " + colour_text + ": a hash and six hexadecimal digits, such as #95AECA");
   settings.colour = *colour;
-  if (const auto spacing = number_of(options, "bands", {0.0, 1000.0, "", true}))
-    settings.bands = even_bands(*spacing);
+  if (const auto spacing = number_of(options, "bands", {1e-6, 1000.0})) settings.bands = even_bands(*spacing);
   settings.steps = whole_number_of(options, "steps", 16, 65536, 512);
   settings.threads = threads_of(options);
   const auto field = field_of(options, scene);
@@ -124,7 +130,7 @@ Drawing draw_scene(const Options& options, const ReportProgress& report) {
     if (settings.bands.empty())
       said += ", lines every " + draw::short_text(rendering.ground_spacing, 4) + " m";
   }
-  return {draw::png_of(rendering.image), said};
+  return {draw::png_of(rendering.image), said, warning_of(rendering)};
 }
 
 int run_render(const std::vector<std::string>& arguments) {
@@ -139,6 +145,7 @@ int run_render(const std::vector<std::string>& arguments) {
     drawing = draw_scene(options, [&progress](double done) { progress.report(done); });
   }
   write_file(options.required("output"), drawing.bytes);
+  print_warning(options.required("output"), drawing);
   std::printf("%s: %s\n", options.required("output").c_str(), drawing.said.c_str());
   return 0;
 }

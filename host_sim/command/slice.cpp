@@ -70,7 +70,7 @@ SliceSettings settings_of(const Options& options, const SceneField& field) {
   settings.height = size_of(options).height;
   if (settings.width < 160 || settings.height < 160)
     throw UsageError("--size: a slice needs 160 pixels each way at least");
-  settings.spacing = number_of(options, "spacing", {0.0, 1e6, "", true});
+  settings.spacing = number_of(options, "spacing", {1e-6, 1e6});
   if (settings.spacing && options.has("levels"))
     throw UsageError("--levels and --spacing exclude each other");
   settings.levels = static_cast<int>(whole_number_of(options, "levels", 1, 100, 10));
@@ -80,16 +80,23 @@ SliceSettings settings_of(const Options& options, const SceneField& field) {
   settings.threads = threads_of(options);
   // Where the view is given the surface need not be found, which may take longer than the picture.
   std::optional<Box3> surface;
-  if (!(options.has("origin") && options.has("width-metres"))) surface = surface_box(field, domain_box(field));
+  if (!(options.has("origin") && options.has("width-metres")))
+    surface = surface_box(field, domain_box(field));
   settings.plane = plane_of(options, field, surface);
   frame_surface(surface, settings);
   if (const auto origin = vector_of(options, "origin")) {
     settings.middle_u = dot(*origin - settings.plane.origin, settings.plane.u);
     settings.middle_v = dot(*origin - settings.plane.origin, settings.plane.v);
   }
-  if (const auto width = number_of(options, "width-metres", {0.0, 1000.0, "m", true}))
+  if (const auto width = number_of(options, "width-metres", {1e-6, 1000.0, "m"}))
     settings.width_metres = *width;
   return settings;
+}
+
+std::string warning_of(const draw::SlicePicture& picture) {
+  if (picture.saturated_slopes == 0) return "";
+  return "gradients saturate at " + std::to_string(picture.saturated_slopes) +
+         " places, where arrows are of differences; another --scalar holds more";
 }
 
 }  // namespace
@@ -122,7 +129,7 @@ Drawing draw_slice(const Options& options, const ReportProgress& report) {
   const SliceSettings settings = settings_of(options, *field);
   const draw::SlicePicture picture = slice_of(*field, settings, scene.name, report);
   return {ends_with(output, ".svg") ? draw::slice_svg(picture) : draw::png_of(draw::slice_image(picture)),
-          "\"" + scene.name + "\", " + picture.note};
+          "\"" + scene.name + "\", " + picture.note, warning_of(picture)};
 }
 
 int run_slice(const std::vector<std::string>& arguments) {
@@ -137,6 +144,7 @@ int run_slice(const std::vector<std::string>& arguments) {
     drawing = draw_slice(options, [&progress](double done) { progress.report(done); });
   }
   write_file(options.required("output"), drawing.bytes);
+  print_warning(options.required("output"), drawing);
   std::printf("%s: %s\n", options.required("output").c_str(), drawing.said.c_str());
   return 0;
 }

@@ -13,6 +13,9 @@
 namespace nearfield::host::draw {
 namespace {
 
+constexpr double text_margin = 6.0;                  // pixels that headings keep from the picture's edges
+constexpr double least_shrinking = 0.75;             // of headings that are too long
+constexpr double least_side_with_scale_bar = 180.0;  // pixels, of the frame
 constexpr double margin_left = 58.0, margin_right = 16.0, margin_top = 48.0, margin_bottom = 44.0;
 constexpr int shade_count = 10;
 constexpr double line_tolerance = 0.05;   // pixels, by which contour lines are made simpler
@@ -134,20 +137,25 @@ class SlicePainter {
   }
 
   void draw_scale_bar() {
+    // In a small picture it would hide too much; its axes tell the scale as well.
+    if (std::min(frame_.width, frame_.height) < least_side_with_scale_bar) return;
     double metres = 0.0;
     for (const Tick& tick : round_ticks(0.0, (picture_.window.right - picture_.window.left) / 4.0, 3))
       metres = std::max(metres, tick.value);
     if (!(metres > 0.0)) return;
-    const double width = to_page_.pixels(metres);
-    const Point right{frame_.right() - 16.0, frame_.bottom() - 14.0}, left{right.x - width, right.y};
-    document_.begin_group("scale-bar");
-    document_.rectangle({left.x - 8.0, left.y - 24.0, width + 16.0, 32.0}, filled(palette::paper, 0.85), 3.0);
-    document_.path({Polyline{{{left.x, left.y - 5.0}, left, right, {right.x, right.y - 5.0}}, false}},
-                   stroked(palette::ink, 1.6));
     TextStyle style;
     style.size = font::small;
     style.anchor = TextAnchor::middle;
     const std::string text = metres < 0.01 ? short_text(1000.0 * metres, 3) + " mm" : length_text(metres);
+    const double width = to_page_.pixels(metres),
+                 card = std::max(width + 16.0, text_width(text, style) + 4.0);
+    const Rectangle behind{frame_.right() - 8.0 - card, frame_.bottom() - 38.0, card, 32.0};
+    const Point left{behind.left + 0.5 * (card - width), frame_.bottom() - 14.0},
+        right{left.x + width, left.y};
+    document_.begin_group("scale-bar");
+    document_.rectangle(behind, filled(palette::paper, 0.85), 3.0);
+    document_.path({Polyline{{{left.x, left.y - 5.0}, left, right, {right.x, right.y - 5.0}}, false}},
+                   stroked(palette::ink, 1.6));
     document_.text({0.5 * (left.x + right.x), left.y - 8.0}, text, style);
     document_.end_group();
   }
@@ -158,7 +166,9 @@ class SlicePainter {
     style.size = font::small;
     style.anchor = TextAnchor::middle;
     const WorldWindow& w = picture_.window;
-    const auto count = [](double pixels) { return static_cast<std::size_t>(std::max(2.0, pixels / 64.0)); };
+    const auto count = [](double pixels) {
+      return static_cast<std::size_t>(std::max(2.0, std::min(pixels / 40.0, std::max(5.0, pixels / 64.0))));
+    };
     for (const Tick& tick : round_ticks(w.left, w.right, count(frame_.width))) {
       const double x = to_page_({tick.value, w.bottom}).x;
       document_.line({x, frame_.bottom()}, {x, frame_.bottom() + 4.0}, stroked(palette::frame, 1.0));
@@ -177,12 +187,28 @@ class SlicePainter {
     TextStyle heading;
     heading.size = font::heading;
     heading.bold = true;
-    document_.text({frame_.left, 20.0}, picture_.title, heading);
+    draw_heading(20.0, picture_.title, heading);
     TextStyle note;
     note.size = font::small;
     note.fill = palette::quiet_ink;
-    document_.text({frame_.left, 38.0}, picture_.note, note);
+    draw_heading(38.0, picture_.note, note);
     document_.end_group();
+  }
+  /// From the frame's left edge; what is too long for that from the picture's, smaller, and at last cut off.
+  void draw_heading(double y, std::string text, TextStyle style) {
+    const double right = static_cast<double>(picture_.width) - text_margin;
+    const double wanted = text_width(text, style);
+    const double left = wanted <= right - frame_.left ? frame_.left : std::max(text_margin, right - wanted);
+    style.size *= std::clamp((right - left) / std::max(1.0, wanted), least_shrinking, 1.0);
+    if (text_width(text, style) > right - left) {
+      do {
+        // Whole characters: bytes 10xxxxxx go on with one.
+        while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
+        text.pop_back();
+      } while (!text.empty() && text_width(text + "...", style) > right - left);
+      text += "...";
+    }
+    document_.text({left, y}, text, style);
   }
 
   Document& document_;

@@ -31,6 +31,7 @@ struct SlicePicture {
   std::function<double(double f)>
       shade;  ///< of layers, 0 to 1 and 1 where f is 0; without it areas are plain
   std::vector<Slope> slopes;
+  std::size_t saturated_slopes = 0;  ///< whose direction is that of differences
 };
 
 /// The frame within a picture of these sides that shows the plane, pixels.

@@ -12,15 +12,16 @@ namespace {
 
 using draw::escaped;
 
-constexpr double widest_in_a_row = 470.0, widest = 900.0;  // pixels; pictures may be larger
+constexpr double widest_in_a_row = 720.0, widest = 900.0;  // pixels; pictures may be larger
+constexpr double narrowest = 224.0;                        // pixels, of what is written beneath a picture
 
 const char* const style = R"(
 :root { color-scheme: light dark;
   --paper: #fbfbfa; --ink: #1b2430; --quiet: #5a6572; --line: #dfe3e8; --card: #ffffff; --code: #f1f3f5;
-  --link: #00588f; }
+  --link: #00588f; --warning: #9a3412; }
 @media (prefers-color-scheme: dark) { :root {
   --paper: #14181d; --ink: #e4e8ec; --quiet: #9aa5b1; --line: #333b45; --card: #1c2229; --code: #242b33;
-  --link: #7cc3ec; } }
+  --link: #7cc3ec; --warning: #f6ad82; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink); line-height: 1.5;
   font-family: system-ui, -apple-system, "Segoe UI", "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
@@ -44,7 +45,7 @@ nav a:hover { text-decoration: underline; }
 .row { display: flex; flex-wrap: wrap; gap: 1rem; margin: .9rem 0 0; align-items: flex-start; }
 figure { margin: 0; background: var(--card); border: 1px solid var(--line); border-radius: .5rem;
   overflow: hidden; max-width: 100%; }
-figure img { display: block; width: 100%; height: auto; background: #ffffff; }
+figure img { display: block; max-width: 100%; height: auto; margin: 0 auto; background: #ffffff; }
 figcaption { padding: .6rem .8rem .7rem; font-size: .88rem; }
 figcaption strong { display: block; font-size: .95rem; }
 code, pre { font-family: ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; font-size: .78rem; }
@@ -55,6 +56,7 @@ dl { margin: .3rem 0 0; color: var(--quiet); font-size: .82rem; }
 dt { float: left; clear: left; margin-right: .4rem; font-weight: 600; }
 dt::after { content: ":"; }
 dd { margin: 0; }
+.warning { color: var(--warning); }
 details { margin-top: .4rem; }
 summary { cursor: pointer; color: var(--link); font-size: .82rem; }
 pre { background: var(--code); border-radius: .3rem; padding: .5rem; margin: .3rem 0 0; overflow: auto;
@@ -70,8 +72,9 @@ const char* const introduction =
     "drawn by hand and nothing was touched up. The file names in the commands are relative to the gallery's "
     "folder.</p>\n"
     "<p>Beneath a scene's picture: how it was drawn, what is proved of its field, and the worst-case number "
-    "of "
-    "instructions that a query of the field takes on a Cortex-M4.</p>\n";
+    "of instructions that a query of the field takes on a Cortex-M4. <em>Certified</em> stepping: each ray "
+    "advanced by what is proved to be free and cannot have jumped over anything. <em>Bisection</em>: where "
+    "nothing is proved, rays went in fixed steps.</p>\n";
 
 std::string anchor_text(const std::string& text) {
   std::string anchor;
@@ -132,20 +135,23 @@ Sides sides_of_svg(const std::string& bytes) {
   return {number_after(" width=\""), number_after(" height=\"")};
 }
 
-std::string image_element(const DrawnPicture& drawn, const std::string& caption, const Sides& sides) {
+std::string image_element(const DrawnPicture& drawn, const std::string& description, const Sides& sides) {
   return std::string("<img src=\"data:") + (is_png(drawn.bytes) ? "image/png" : "image/svg+xml") +
          ";base64," + base64_of(drawn.bytes) + "\" width=\"" + format_number(sides.width) + "\" height=\"" +
-         format_number(sides.height) + "\" alt=\"" + escaped(caption) + "\">\n";
+         format_number(sides.height) + "\" alt=\"" + escaped(description) + "\">\n";
 }
 
-std::string picture_element(const GalleryPicture& picture, const DrawnPicture& drawn, bool in_a_row) {
+std::string picture_element(const GalleryFigure& figure, const GalleryPicture& picture,
+                            const DrawnPicture& drawn) {
   const Sides sides = is_png(drawn.bytes) ? sides_of_png(drawn.bytes) : sides_of_svg(drawn.bytes);
-  const double most = sides.width > 700.0 && in_a_row ? widest_in_a_row : widest;
-  std::string text = "<figure style=\"width:" + format_number(std::min(sides.width, most)) + "px\">\n" +
-                     image_element(drawn, picture.caption, sides) + "<figcaption><strong>" +
-                     escaped(picture.caption) + "</strong>\n<code class=\"command\">" +
-                     escaped(typed(picture.command)) + "</code>\n<dl>\n<dt>Drawn</dt><dd>" +
-                     escaped(drawn.said) + "</dd>\n";
+  const double most = sides.width > 700.0 && figure.pictures.size() > 1 ? widest_in_a_row : widest;
+  std::string text = "<figure style=\"width:" + format_number(std::clamp(sides.width, narrowest, most)) +
+                     "px\">\n" + image_element(drawn, figure.title + ": " + picture.caption, sides) +
+                     "<figcaption><strong>" + escaped(picture.caption) +
+                     "</strong>\n<code class=\"command\">" + escaped(typed(picture.command)) +
+                     "</code>\n<dl>\n<dt>Drawn</dt><dd>" + escaped(drawn.said) + "</dd>\n";
+  if (!drawn.warning.empty())
+    text += "<dt>Warning</dt><dd class=\"warning\">" + escaped(drawn.warning) + "</dd>\n";
   if (!drawn.scene_file.empty()) {
     text += "<dt>Certificate</dt><dd>" + escaped(drawn.certificate) +
             "</dd>\n<dt>Cortex-M4, at most</dt><dd>" + escaped(drawn.budget) + "</dd>\n";
@@ -208,7 +214,7 @@ std::string gallery_page(const std::vector<GalleryChapter>& chapters,
               escaped(heading_of(figure)) + "</a></h3>\n<p class=\"look\">" + escaped(figure.look_for) +
               "</p>\n<div class=\"row\">\n";
       for (const GalleryPicture& picture : figure.pictures)
-        text += picture_element(picture, drawn.at(next++), figure.pictures.size() > 1);
+        text += picture_element(figure, picture, drawn.at(next++));
       text += "</div>\n</article>\n";
     }
     text += "</section>\n";

@@ -13,6 +13,7 @@ namespace nearfield::host {
 struct DrawnPicture {
   std::string bytes;       // of an SVG or PNG file, by its own first bytes
   std::string said;        // what the command prints of it
+  std::string warning;     // of the command; mostly empty
   std::string scene_file;  // empty: a picture without a scene
   std::string scene_text;
   std::string certificate;  // in a few words

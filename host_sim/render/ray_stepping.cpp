@@ -61,6 +61,13 @@ double first_order_distance(const FieldAnswer& answer, double greatest) {
   return answer.outward < greatest * slope ? answer.outward / slope : greatest;
 }
 
+double first_order_distance(const SceneField& field, const Vector3d& p, double greatest) {
+  const double outward = field.outward(p);
+  if (outward <= 0.0) return 0.0;
+  return field.free_radius_where(outward) >= greatest ? greatest
+                                                      : first_order_distance(field.at(p), greatest);
+}
+
 double undecided_distance(const SceneField& field) {
   const FieldProof& proof = field.proof();
   return proof.rate ? proof.error / *proof.rate : 0.0;
@@ -109,12 +116,15 @@ double light_along(const SceneField& field, const Ray& ray, const Stretch& stret
          guess = 0.25 * (stretch.to - stretch.from);
   for (int step = 0; step < greatest_step_count && t < stretch.to; ++step) {
     const Vector3d p = ray.at(t);
-    const FieldAnswer answer = field.at(p);
-    if (answer.outward < 0.0) return 0.0;
-    light = std::min(light, first_order_distance(answer, width * t) / (width * t));
-    if (light < 0.01) return 0.0;
-    const double radius = field.kind() == Kind::intensity ? field.free_radius(p, guess)
-                                                          : field.free_radius_where(answer.outward);
+    const double outward = field.outward(p);
+    if (outward < 0.0) return 0.0;
+    const double by_rate = field.free_radius_where(outward);
+    // A slope is never above the rate: elsewhere the gradient would not make it darker.
+    if (by_rate < light * width * t) {
+      light = std::min(light, first_order_distance(field.at(p), width * t) / (width * t));
+      if (light < 0.01) return 0.0;
+    }
+    const double radius = field.kind() == Kind::intensity ? field.free_radius(p, guess) : by_rate;
     guess = 1.5 * radius;
     t += std::max(radius, settings.fixed_step);
   }

@@ -59,5 +59,7 @@ double light_along(const SceneField& field, const Ray& ray, const Stretch& stret
 // The distance to the surface that a tangent of the field shows, 0 inside; `greatest` where that is farther,
 // or no slope.
 double first_order_distance(const FieldAnswer& answer, double greatest);
+// The same at a place, without a gradient where the certificate says that the surface is farther.
+double first_order_distance(const SceneField& field, const Vector3d& p, double greatest);
 
 }  // namespace nearfield::host

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double light_half_angle = 0.055;                                 // rad, of the lamp
 constexpr std::array<double, 4> openness_reaches{0.03, 0.08, 0.18, 0.35};  // of the surface's radius
-constexpr int extra_rays_each_way = 3;  // of a pixel where neighbours differ
+// Places of a pixel where neighbours differ, besides its middle: no two in a row or a column, so that edges
+// of any direction get even steps.
+constexpr double extra_rays[4][2] = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
 constexpr Colour horizon{0.80, 0.83, 0.87}, zenith{0.93, 0.945, 0.96}, ground_colour{0.74, 0.74, 0.73};
 constexpr Colour lamp{1.02, 0.98, 0.92}, sky_light{0.40, 0.43, 0.47}, bounced_light{0.20, 0.19, 0.18};
 
@@ -25,6 +27,17 @@ struct Look {
   Vector3d normal;
   double distance = 0.0;  // m from the camera
   bool bisected = false;
+  bool gradient_saturated = false;
+};
+
+struct RayCounts {
+  std::uint64_t rays = 0, bisected = 0, surface = 0, saturated = 0;
+  void add(const Look& look) {
+    ++rays;
+    bisected += look.bisected ? 1U : 0U;
+    surface += look.seen == Seen::surface ? 1U : 0U;
+    saturated += look.gradient_saturated ? 1U : 0U;
+  }
 };
 
 double smooth_step(double from, double to, double x) {
@@ -72,13 +85,13 @@ class Renderer {
     result.image = {settings_.width, settings_.height,
                     std::vector<std::uint8_t>(3 * settings_.width * settings_.height)};
     looks_.resize(settings_.width * settings_.height);
-    std::vector<std::uint64_t> rays(settings_.height, settings_.width), bisected(settings_.height, 0);
+    std::vector<RayCounts> counts(settings_.height);
     for_each_row(
         settings_.height, settings_.threads,
         [&](std::size_t y) {
           for (std::size_t x = 0; x < settings_.width; ++x) {
             looks_[y * settings_.width + x] = look(view_.ray(real(x) + 0.5, real(y) + 0.5));
-            bisected[y] += look_at(x, y).bisected ? 1U : 0U;
+            counts[y].add(look_at(x, y));
           }
         },
         [&](double done) {
@@ -88,7 +101,7 @@ class Renderer {
         settings_.height, settings_.threads,
         [&](std::size_t y) {
           for (std::size_t x = 0; x < settings_.width; ++x) {
-            const Colour colour = smoothed(x, y, rays[y], bisected[y]);
+            const Colour colour = smoothed(x, y, counts[y]);
             std::uint8_t* byte = result.image.bytes.data() + 3 * (y * settings_.width + x);
             byte[0] = srgb_byte(colour.red);
             byte[1] = srgb_byte(colour.green);
@@ -98,9 +111,11 @@ class Renderer {
         [&](double done) {
           if (report) report(0.5 + 0.5 * done);
         });
-    for (std::size_t y = 0; y < settings_.height; ++y) {
-      result.rays += rays[y];
-      result.bisected_rays += bisected[y];
+    for (const RayCounts& row : counts) {
+      result.rays += row.rays;
+      result.bisected_rays += row.bisected;
+      result.surface_rays += row.surface;
+      result.saturated_gradients += row.saturated;
     }
     return result;
   }
@@ -129,19 +144,15 @@ class Renderer {
     }
     return false;
   }
-  Colour smoothed(std::size_t x, std::size_t y, std::uint64_t& rays, std::uint64_t& bisected) const {
+  Colour smoothed(std::size_t x, std::size_t y, RayCounts& counts) const {
     if (!at_edge(x, y)) return look_at(x, y).colour;
-    Colour sum;
-    for (int v = 0; v < extra_rays_each_way; ++v) {
-      for (int u = 0; u < extra_rays_each_way; ++u) {
-        const Look one = look(
-            view_.ray(real(x) + (u + 0.5) / extra_rays_each_way, real(y) + (v + 0.5) / extra_rays_each_way));
-        sum = sum + one.colour;
-        ++rays;
-        bisected += one.bisected ? 1U : 0U;
-      }
+    Colour sum = look_at(x, y).colour;
+    for (const auto& [u, v] : extra_rays) {
+      const Look one = look(view_.ray(real(x) + u, real(y) + v));
+      sum = sum + one.colour;
+      counts.add(one);
     }
-    return 1.0 / (extra_rays_each_way * extra_rays_each_way) * sum;
+    return 0.2 * sum;
   }
 
   // -- one ray
@@ -159,7 +170,13 @@ class Renderer {
       result.distance = hit.t;
       const Vector3d p = ray.at(hit.t);
       const double reach = footprint_ * hit.t;
-      result.normal = cut ? face_normal(p, ray) : facing(surface_normal(field_, p, reach), ray);
+      if (cut) {
+        result.normal = face_normal(p, ray);
+      } else {
+        const SurfaceNormal normal = surface_normal(field_, p, reach);
+        result.normal = facing(normal.direction, ray);
+        result.gradient_saturated = normal.gradient_saturated;
+      }
       result.colour =
           lit(p, result.normal, cut ? cut_colour(p) : settings_.colour, ray, reach, cut ? 0.0 : 1.0);
     } else if (ground_at < 1e9) {
@@ -245,7 +262,7 @@ class Renderer {
       const Vector3d at = p + reach * normal;
       const double near = 1.0 - smooth_step(0.0, 0.25 * radius_, distance_to(settings_.surface, at));
       if (near <= 0.0 || !settings_.drawn.contains(at)) continue;
-      hidden += near * (1.0 - first_order_distance(field_.at(at), reach) / reach);
+      hidden += near * (1.0 - first_order_distance(field_, at, reach) / reach);
     }
     return 1.0 - 0.85 * hidden / static_cast<double>(openness_reaches.size());
   }
@@ -279,17 +296,22 @@ class Renderer {
 
 }  // namespace
 
-Vector3d surface_normal(const SceneField& field, const Vector3d& p, double reach) {
-  const Vector3d gradient = field.at(p).gradient;
-  const double slope = length(gradient);
-  if (slope > 1e-6) return 1.0 / slope * gradient;
+SurfaceNormal surface_normal(const SceneField& field, const Vector3d& p, double reach) {
+  const FieldAnswer answer = field.at(p);
+  const double slope = length(answer.gradient);
+  if (slope > 1e-6 && !answer.gradient_doubtful) return {1.0 / slope * answer.gradient, false};
+  // A large slope leads out of the number range soon.
+  const double near = answer.gradient_doubtful ? 0.02 * reach : reach;
   const auto change = [&](const Vector3d& by) {
     return field.in_domain(p + by) && field.in_domain(p - by) ? field.outward(p + by) - field.outward(p - by)
                                                               : 0.0;
   };
-  const Vector3d difference{change({reach, 0.0, 0.0}), change({0.0, reach, 0.0}), change({0.0, 0.0, reach})};
+  const Vector3d difference{change({near, 0.0, 0.0}), change({0.0, near, 0.0}), change({0.0, 0.0, near})};
   const double size = length(difference);
-  return size > 0.0 ? 1.0 / size * difference : Vector3d{};
+  if (!(size > 0.0)) return {};
+  constexpr double cosine = 0.9986;  // of 3 degrees
+  const bool off = answer.gradient_doubtful && dot(difference, answer.gradient) < cosine * size * slope;
+  return {1.0 / size * difference, off};
 }
 
 Rendering render(const SceneField& field, const RenderSettings& settings, const ReportProgress& report) {

@@ -40,15 +40,22 @@ struct Rendering {
                            // a quarter of a pixel
   std::uint64_t rays = 0;  // from the camera
   std::uint64_t bisected_rays = 0;  // of these, those that ended by bisection
-  double ground_spacing = 0.0;      // m, between the lines on the ground; 0 without a ground
+  std::uint64_t surface_rays = 0;   // that met the surface
+  std::uint64_t saturated_gradients =
+      0;                        // of these, where the gradient saturates: their normals are of differences
+  double ground_spacing = 0.0;  // m, between the lines on the ground; 0 without a ground
 };
 
-// One ray for each pixel, and nine more where neighbours differ. The same settings give the same bytes,
+// One ray for each pixel, and four more where neighbours differ. The same settings give the same bytes,
 // whatever the number of threads.
 Rendering render(const SceneField& field, const RenderSettings& settings, const ReportProgress& report = {});
 
-// The normal of the surface at a place near it: the field's gradient, of length 1; without one that of
-// differences over `reach` m, or {0, 0, 0}.
-Vector3d surface_normal(const SceneField& field, const Vector3d& p, double reach);
+struct SurfaceNormal {
+  Vector3d direction;               // of length 1, or {0, 0, 0}
+  bool gradient_saturated = false;  // the gradient is more than 3 degrees off
+};
+// The normal of the surface at a place near it: the direction of the field's gradient; where there is none or
+// it is doubtful that of differences over at most `reach` m each way.
+SurfaceNormal surface_normal(const SceneField& field, const Vector3d& p, double reach);
 
 }  // namespace nearfield::host

@@ -30,6 +30,7 @@ class SceneFieldIn final : public SceneField {
         metres_per_gradient_(kind_ == Kind::distance ? 1.0 : detail::power_of_two(kGradientLengthLog2)),
         domain_(real(ScalarTraits<S>::domain())),
         saturation_((1.0 - 1e-6) * real(algebraic_limit<S>())),
+        doubtful_(kind_ == Kind::algebraic ? 0.125 * saturation_ : saturation_),
         rounding_(1.8 * real(ScalarTraits<S>::rounding_unit(ScalarTraits<S>::domain()))) {
     const Certificate<S>& certificate = field_.program.certificate();
     if (certificate.lipschitz != kNoRateBound && !certificate.partial) {
@@ -55,8 +56,9 @@ class SceneFieldIn final : public SceneField {
     const Sample<S> sample = field_.at(quantise<S>(p));
     // A gradient says nothing of a value that ends there.
     const double factor = std::abs(real(sample.value)) < saturation_ ? sign_ / metres_per_gradient_ : 0.0;
-    return {sign_ * (real(sample.value) - level_),
-            factor * Vector3d{real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)}};
+    const Vector3d gradient{real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)};
+    const double largest = std::max({std::abs(gradient.x), std::abs(gradient.y), std::abs(gradient.z)});
+    return {sign_ * (real(sample.value) - level_), factor * gradient, largest >= doubtful_};
   }
 
   double free_radius(const Vector3d& p, double guess) const override {
@@ -65,21 +67,30 @@ class SceneFieldIn final : public SceneField {
     if (!highest_ || f <= proof_.error) return by_rate;
     return std::max(by_rate, careful(radius_below_level(p, std::max(guess, by_rate), by_rate)));
   }
+  bool is_free(const Vector3d& p, double radius) const override {
+    if (!certified()) return false;
+    const double f = outward(p);
+    if (free_radius_where(f) >= radius) return true;
+    const double needed = (radius + rounding_) / careful_factor;
+    return highest_ && f > proof_.error && needed <= domain_ && proved(quantise<S>(p), needed);
+  }
   double free_radius_where(double outward) const override {
     return proof_.rate ? careful((std::abs(outward) - proof_.error) / *proof_.rate) : 0.0;
   }
 
  private:
+  // By the field's greatest value in a ball.
+  bool proved(const nearfield::Vector3<S>& centre, double radius) const {
+    return real(field_.program.highest(centre, quantise<S>(radius), field_.slots).value) + proof_.error <
+           level_;
+  }
   double careful(double radius) const { return std::max(0.0, careful_factor * radius - rounding_); }
 
   // Of the radii guess 2^k, the greatest of a few that highest() proves; 0 when none is. `known`: a radius
   // known to be free, with which a search that finds nothing soon contents itself.
   double radius_below_level(const Vector3d& p, double guess, double known) const {
     const nearfield::Vector3<S> centre = quantise<S>(p);
-    const auto proved = [&](double radius) {
-      return real(field_.program.highest(centre, quantise<S>(radius), field_.slots).value) + proof_.error <
-             level_;
-    };
+    const auto proved = [&](double radius) { return this->proved(centre, radius); };
     const double greatest = domain_,
                  least = known > 0.0 ? std::max(1.4 * known, 0.2 * guess) : 64.0 * rounding_;
     double radius = std::min(std::max(guess, least), greatest);
@@ -97,7 +108,7 @@ class SceneFieldIn final : public SceneField {
 
   FieldAtRest<S> field_;
   Kind kind_;
-  double level_, sign_, metres_per_gradient_, domain_, saturation_;
+  double level_, sign_, metres_per_gradient_, domain_, saturation_, doubtful_;
   double rounding_;  // m: how far a point moves at most when it becomes one of the scalar's
   FieldProof proof_;
   bool highest_ = false;

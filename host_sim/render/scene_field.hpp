@@ -19,6 +19,9 @@ namespace nearfield::host {
 struct FieldAnswer {
   double outward = 0.0;  // f
   Vector3d gradient;     // of f, per m; {0, 0, 0} where the value has saturated
+  // Saturated, or of an algebraic field so large that what it is made of may have: then neither its length
+  // nor its direction need hold.
+  bool gradient_doubtful = false;
 };
 
 // What is proved of f, as double and rounded to the careful side.
@@ -48,7 +51,10 @@ class SceneField {
   // it, and of intensities how much is found).
   virtual double free_radius(const Vector3d& p, double guess) const = 0;
 
-  // The same from f alone, by the rate; 0 without one. Cheaper, and of intensities less.
+  // Whether free_radius() can be `radius` or more: one look where that searches.
+  virtual bool is_free(const Vector3d& p, double radius) const = 0;
+
+  // free_radius() from f alone, by the rate; 0 without one. Cheaper, and of intensities less.
   virtual double free_radius_where(double outward) const = 0;
 
   bool inside(const Vector3d& p) const { return outward(p) < 0.0; }

@@ -6,7 +6,9 @@
 
 #include "draw/axis.hpp"
 #include "draw/number_text.hpp"
+#include "render/renderer.hpp"
 #include "render/view.hpp"
+#include "text/number.hpp"
 
 namespace nearfield::host {
 namespace {
@@ -146,13 +148,17 @@ draw::SlicePicture slice_of(const SceneField& field, const SliceSettings& settin
       for (double u = picture.window.left + 0.5 * step; u < picture.window.right; u += step) {
         const Vector3d p = plane.at(u, v);
         if (!field.in_domain(p)) continue;
-        const Vector3d gradient = field.at(p).gradient;
+        const FieldAnswer answer = field.at(p);
+        const SurfaceNormal normal = surface_normal(field, p, 0.01 * step);
+        if (normal.gradient_saturated) ++picture.saturated_slopes;
+        const Vector3d gradient =
+            answer.gradient_doubtful ? length(answer.gradient) * normal.direction : answer.gradient;
         picture.slopes.push_back({{u, v}, {dot(gradient, plane.u), dot(gradient, plane.v)}});
       }
     }
   }
   picture.note = std::string(name_of(field.kind())) + "; " + place_of(plane) + "; contours every " +
-                 draw::short_text(picture.spacing, 6) + (field.kind() == Kind::distance ? " m" : "");
+                 format_number(picture.spacing) + (field.kind() == Kind::distance ? " m" : "");
   return picture;
 }
 

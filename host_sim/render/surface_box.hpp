@@ -25,8 +25,9 @@ Box3 domain_box(const SceneField& field);
 
 // A box about the field's surface within `search`, as large as the surface or larger by up to 1/128 of its
 // longest edge, 1/48 without a proof; nothing when no surface is found. What is proved to be free of it is
-// passed over; elsewhere the first-order distance decides, so that it may miss what is smaller than 1/64 of
-// the search's longest edge.
+// passed over. Where nothing is proved the first-order distance and signs at corners decide, so that it may
+// miss what is smaller than 1/64 of the search's longest edge, of rays and algebraic fields 1/16. Cost: a few
+// 100 000 evaluations.
 std::optional<Box3> surface_box(const SceneField& field, const Box3& search);
 
 }  // namespace nearfield::host

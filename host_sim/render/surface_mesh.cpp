@@ -161,7 +161,7 @@ class Mesher {
     }
     const bool outer_is_nearer = std::abs(field_.outward(outer)) <= std::abs(field_.outward(inner));
     const Vector3d p = outer_is_nearer ? outer : inner;
-    return {p, surface_normal(field_, p, 0.01 * step_)};
+    return {p, surface_normal(field_, p, 0.01 * step_).direction};
   }
 
   void add_triangles(SurfaceMesh& mesh) const {
@@ -239,7 +239,7 @@ class Mesher {
     Vector3d mean;
     for (const std::uint32_t v : vertices)
       mean = mean + 1.0 / static_cast<double>(vertices.size()) * mesh.vertices[v].position;
-    const Vector3d along = surface_normal(field_, mean, 0.01 * step_);
+    const Vector3d along = surface_normal(field_, mean, 0.01 * step_).direction;
     Vector3d inner = mean - step_ * along, outer = mean + step_ * along;
     if (field_.in_domain(inner) && field_.in_domain(outer) && field_.inside(inner) && !field_.inside(outer)) {
       for (int i = 0; i < halvings; ++i) {
@@ -248,7 +248,7 @@ class Mesher {
       }
       mean = outer;
     }
-    mesh.vertices.push_back({mean, surface_normal(field_, mean, 0.01 * step_)});
+    mesh.vertices.push_back({mean, surface_normal(field_, mean, 0.01 * step_).direction});
     return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
   }
 

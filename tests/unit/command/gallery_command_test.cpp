@@ -60,7 +60,7 @@ TEST_F(GalleryCommand, PageHoldsPicturesScenesCertificatesAndBudgets) {
   EXPECT_EQ(text.find("<!DOCTYPE html>\n"), 0U);
   EXPECT_EQ(count_of(text, "data:image/svg+xml;base64,"), 3U);
   EXPECT_EQ(count_of(text, "data:image/png;base64,"), 2U);
-  EXPECT_NE(text.find("width=\"40\" height=\"30\" alt=\"c &lt;1&gt;\""), std::string::npos);
+  EXPECT_NE(text.find("width=\"40\" height=\"30\" alt=\"Ball &lt;b&gt;: c &lt;1&gt;\""), std::string::npos);
   EXPECT_NE(text.find("id=\"one-3\""), std::string::npos);
   EXPECT_NE(text.find("<a href=\"#one-3\">Figure 3: Ball &lt;b&gt;</a>"), std::string::npos);
   EXPECT_NE(text.find("A &#39;round&#39; one."), std::string::npos);
@@ -80,6 +80,26 @@ TEST_F(GalleryCommand, PageHoldsPicturesScenesCertificatesAndBudgets) {
   EXPECT_NE(text.find("<dd>" + line.substr(value, gap - value) + " instructions a value, "),
             std::string::npos)
       << line;
+}
+
+TEST_F(GalleryCommand, WarningsAreOnThePageAndOnStandardError) {
+  const std::string plane = R"({"type": "algebraic_plane", "normal": [0, 0, 1], "offset": -4}, )";
+  folder_.write("g/s/steep.json", R"({"format": "nearfield-scene-1", "name": "steep", "field":
+    {"type": "functional_spline", "lambda": 0.0001, "primaries": 5, "operands": [
+      {"type": "algebraic_sphere", "radius": 0.5, "size": 0.25}, )" +
+                                      plane + plane + plane + plane +
+                                      R"({"type": "algebraic_plane", "normal": [0, 0, 1], "offset": 0}]}})");
+  write_chapter("one", {slice_, R"(["render", "s/steep.json", "--size", "24x24", "--box", "-1,-1,-1,1,1,1",
+                                    "--steps", "64"])"});
+  const Outcome outcome = folder_.run({"gallery", "g", "--output", "page.html"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err.find("g/one.json: figures[0].pictures[1].command: figure 3, \"Ball <b>\", picture 2: "
+                             "warning: gradients saturate at "),
+            0U)
+      << outcome.err;
+  EXPECT_EQ(count_of(outcome.err, "\n"), 1U);
+  EXPECT_EQ(count_of(folder_.read("page.html"), "<dt>Warning</dt><dd class=\"warning\">gradients saturate"),
+            1U);
 }
 
 TEST_F(GalleryCommand, PageNeedsNothingElse) {

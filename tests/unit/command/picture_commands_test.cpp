@@ -31,7 +31,7 @@ class PictureCommands : public testing::Test {
 
 TEST_F(PictureCommands, RenderWritesAPictureAndSaysHow) {
   const std::string said = succeed({"render", "ball.json", "--output", "a.png", "--size", "40x30"});
-  EXPECT_EQ(said.find("a.png: distance of \"a\", 40 x 30; stepping: certified; ground at z = -0.50"), 0U)
+  EXPECT_EQ(said.find("a.png: distance of \"a\", 40 x 30; stepping: certified; ground at z = -0.5"), 0U)
       << said;
   EXPECT_NE(said.find(" m, lines every 0.2 m\n"), std::string::npos) << said;
   const std::string file = folder_.read("a.png");
@@ -58,6 +58,24 @@ TEST_F(PictureCommands, RenderTakesACameraAndParameters) {
                      "#aa3311",         "--bands",    "0.1",      "--box",     "-1,-1,-1,1,1,1",
                      "--scalar",        "q16"}),
             "d.png: distance of \"a\", 20 x 20; stepping: certified; ground at z = -1 m\n");
+}
+
+TEST_F(PictureCommands, SaturatedGradientsAreWarnedOf) {
+  const std::string plane = R"({"type": "algebraic_plane", "normal": [0, 0, 1], "offset": -4}, )";
+  write_scene("steep.json", R"({"type": "functional_spline", "lambda": 0.0001, "primaries": 5, "operands": [
+      {"type": "algebraic_sphere", "radius": 0.5, "size": 0.25}, )" +
+                                plane + plane + plane + plane +
+                                R"({"type": "algebraic_plane", "normal": [0, 0, 1], "offset": 0}]})");
+  const std::vector<std::string> arguments = {"render", "steep.json", "--output",       "a.png",   "--size",
+                                              "40x30",  "--box",      "-1,-1,-1,1,1,1", "--steps", "64"};
+  const Outcome outcome = folder_.run(arguments);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err.find("a.png: warning: gradients saturate at "), 0U) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  EXPECT_EQ(folder_.read("a.png").substr(1, 3), "PNG");
+  std::vector<std::string> in_float = arguments;
+  in_float.insert(in_float.end(), {"--scalar", "float"});
+  succeed(in_float);
 }
 
 TEST_F(PictureCommands, SliceWritesBothKinds) {
@@ -135,6 +153,20 @@ TEST_F(PictureCommands, RefuseWhatIsWrong) {
       {{"slice", "ball.json", "--output", "x.svg", "--normal", "0,0,0"},
        "nearfield: --normal has no direction"},
       {{"slice", "ball.json", "--output", "x.svg", "--spacing", "0"}, "nearfield: --spacing 0: a number"},
+      {{"slice", "ball.json", "--output", "x.svg", "--spacing", "nan"}, "nearfield: --spacing nan: a number"},
+      {{"slice", "ball.json", "--output", "x.svg", "--width-metres", "1e-12"},
+       "nearfield: --width-metres 1e-12: a number from 1e-06 to 1000 m"},
+      {{"slice", "ball.json", "--output", "x.svg", "--size", "16x16"},
+       "nearfield: --size: a slice needs 160 pixels each way at least"},
+      {{"render", "ball.json", "--output", "x.png", "--bands", "1e-300"},
+       "nearfield: --bands 1e-300: a number from 1e-06 to 1000"},
+      {{"render", "ball.json", "--output", "x.png", "--camera", "nan,0,0"},
+       "nearfield: --camera nan,0,0: three numbers"},
+      {{"render", "ball.json", "--output", "x.png", "--size", "nanxnan"},
+       "nearfield: --size nanxnan: two whole numbers"},
+      {{"render", "ball.json", "--output", "x.png", "--size", "99999x99999"},
+       "nearfield: --size 99999x99999: two whole numbers"},
+      {{"render", "ball.json", "--output", "x.png", "--level", "nan"}, "nearfield: --level nan: a number"},
       {{"slice", "ball.json", "--output", "x.svg", "--spacing", "1", "--levels", "3"},
        "nearfield: --levels and --spacing exclude each other"},
       {{"slice", "ball.json", "--output", "x.svg", "--wave", "1,2"}, "nearfield: --wave goes with --bands"},

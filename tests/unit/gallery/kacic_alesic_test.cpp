@@ -89,6 +89,18 @@ TEST(GalleryKacicAlesic, TheDonutHasBumpsAndOneHole) {
   EXPECT_FALSE(field->inside({}));
   const SurfaceMesh mesh = gallery_mesh(*field, {{-1.6, -1.6, -0.7}, {1.6, 1.6, 0.7}}, 36);
   EXPECT_EQ(expect_closed(mesh), 0);
+  expect_on_surface(*field, mesh);
+}
+
+TEST(GalleryKacicAlesic, CylindersAreClosedAndOnTheSurface) {
+  for (const char* name : {"soft", "hard", "order_0", "order_1", "order_2"}) {
+    SCOPED_TRACE(name);
+    const FieldPointer field = crossed(name);
+    const SurfaceMesh mesh = gallery_mesh(*field, {{-2.7, -2.7, -0.9}, {2.7, 2.7, 0.9}}, 30);
+    EXPECT_GT(mesh.triangles.size(), 500U);
+    EXPECT_EQ(expect_closed(mesh), 2);
+    expect_on_surface(*field, mesh);
+  }
 }
 
 TEST(GalleryKacicAlesic, TheCocktailHasItsParts) {

@@ -143,14 +143,27 @@ TEST(SurfaceBox, IsAboutTheSurface) {
     std::string text;
     Vector3d low, high;
   };
-  const Known all[] = {{ball_text, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}},
-                       {torus_text, {-0.7, -0.7, -0.2}, {0.7, 0.7, 0.2}},
-                       {R"({"type": "box", "size": [0.1, 0.001, 0.05], "position": [1, 2, 3]})",
-                        {0.95, 1.9995, 2.975},
-                        {1.05, 2.0005, 3.025}},
-                       {R"({"type": "soft_point", "influence_radius": 0.6, "position": [0, 0, 1]})",
-                        {-0.3, -0.3, 0.7},
-                        {0.3, 0.3, 1.3}}};
+  const Known all[] = {
+      {ball_text, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}},
+      {torus_text, {-0.7, -0.7, -0.2}, {0.7, 0.7, 0.2}},
+      {R"({"type": "box", "size": [0.1, 0.001, 0.05], "position": [1, 2, 3]})",
+       {0.95, 1.9995, 2.975},
+       {1.05, 2.0005, 3.025}},
+      {R"({"type": "soft_point", "influence_radius": 0.6, "position": [0, 0, 1]})",
+       {-0.3, -0.3, 0.7},
+       {0.3, 0.3, 1.3}},
+      // A thin straw beside a ball, with a potential that tells nothing a little way off.
+      {R"({"type": "soft_sum", "operands": [
+                            {"type": "soft_point", "influence_radius": 1},
+                            {"type": "potential_of_distance", "influence_radius": 0.16,
+                             "potential": {"curve": "arctangent", "c1": 49}, "operands": [
+                             {"type": "capsule", "from": [1, 0, 0], "to": [1, 0, 2], "radius": 0}]}]})",
+       {-0.5, -0.5, -0.5},
+       {1.08, 0.5, 2.08}},
+      {R"({"type": "superquadric", "exponents": [1.2, 20], "semi_axes": [0.8, 0.4, 2.4]})",
+       {-0.4, -0.2, -1.2},
+       {0.4, 0.2, 1.2}},
+      {R"({"type": "half_space", "normal": [0, 0, 1]})", {-4.0, -4.0, 0.0}, {4.0, 4.0, 0.0}}};
   for (const Known& known : all) {
     const auto field = field_of_text(known.text);
     const auto box = surface_box(*field, domain_box(*field));

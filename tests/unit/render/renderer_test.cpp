@@ -73,9 +73,35 @@ TEST(Renderer, NormalsAreThoseOfTheSolid) {
   for (int i = 0; i < 200; ++i) {
     const double angle = 2.0 * pi * uniform(random), height = uniform(random);
     const Vector3d normal{std::cos(angle), std::sin(angle), 0.0};
-    const Vector3d found = surface_normal(*field, 0.25 * normal + Vector3d{0.0, 0.0, height}, 1e-4);
+    const Vector3d found = surface_normal(*field, 0.25 * normal + Vector3d{0.0, 0.0, height}, 1e-4).direction;
     ASSERT_LT(length(found - normal), 1e-6);
   }
+}
+
+// A ball times 256, 4 for each of four planes far away: the gradient's components saturate on its surface.
+const std::string steep_text = [] {
+  const std::string plane = R"({"type": "algebraic_plane", "normal": [0, 0, 1], "offset": -4}, )";
+  return R"({"type": "functional_spline", "lambda": 0.0001, "primaries": 5, "operands": [
+             {"type": "algebraic_sphere", "radius": 0.5, "size": 0.25}, )" +
+         plane + plane + plane + plane + R"({"type": "algebraic_plane", "normal": [0, 0, 1], "offset": 0}]})";
+}();
+
+TEST(Renderer, SaturatedGradientsAreFoundAndReplaced) {
+  const auto steep = field_of_text(steep_text), wide = field_of_text(steep_text, FieldScalar::single);
+  std::size_t saturated = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double z = -0.99 + 0.02 * i, r = std::sqrt(1.0 - z * z), angle = 2.4 * i;
+    const Vector3d normal{r * std::cos(angle), r * std::sin(angle), z};
+    const SurfaceNormal found = surface_normal(*steep, 0.5 * normal, 1e-3);
+    saturated += found.gradient_saturated ? 1U : 0U;
+    EXPECT_GT(dot(found.direction, normal), 0.999) << i;
+    EXPECT_FALSE(surface_normal(*wide, 0.5 * normal, 1e-3).gradient_saturated) << i;
+  }
+  EXPECT_GT(saturated, 90U);
+  RenderSettings settings = settings_for(*field_of_text(ball_text), 32, 24);
+  EXPECT_EQ(render(*field_of_text(ball_text), settings).saturated_gradients, 0U);
+  const Rendering rendering = render(*steep, settings);
+  EXPECT_GT(rendering.saturated_gradients, rendering.surface_rays / 2);
 }
 
 TEST(Renderer, SameBytesWithAnyNumberOfThreads) {

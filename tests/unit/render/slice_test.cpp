@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "draw/contour.hpp"
+#include "draw/svg.hpp"
 #include "render/view.hpp"
 #include "unit/draw/well_formed.hpp"
 #include "unit/render/scene_text.hpp"
@@ -89,6 +90,57 @@ TEST(Slice, PicturesOfBothKinds) {
     settings.threads = 3;
     EXPECT_EQ(draw::slice_image(slice_of(*field, settings, "a < b & c")).bytes, image.bytes);
   }
+}
+
+// All text of an SVG stays within its width, by the widths of letters that pictures reckon with.
+void expect_text_within(const std::string& svg, double width, const std::string& what) {
+  const auto after = [](const std::string& tag, const std::string& name) {
+    const std::size_t at = tag.find(" " + name + "=\"");
+    return at == std::string::npos
+               ? std::string()
+               : tag.substr(at + name.size() + 3, tag.find('"', at + name.size() + 3) - at - name.size() - 3);
+  };
+  std::size_t count = 0;
+  for (std::size_t at = svg.find("<text "); at != std::string::npos; at = svg.find("<text ", at + 1)) {
+    const std::size_t end = svg.find('>', at);
+    const std::string tag = svg.substr(at, end - at);
+    if (tag.find("transform=") != std::string::npos) continue;  // along an axis that is upright
+    draw::TextStyle style;
+    style.size = std::stod(after(tag, "font-size"));
+    style.bold = tag.find("font-weight=") != std::string::npos;
+    const double wide = draw::text_width(svg.substr(end + 1, svg.find('<', end) - end - 1), style);
+    const std::string anchor = after(tag, "text-anchor");
+    const double left = std::stod(after(tag, "x")) - (anchor == "end"      ? 1.0
+                                                      : anchor == "middle" ? 0.5
+                                                                           : 0.0) *
+                                                         wide;
+    EXPECT_GE(left, 0.0) << what << tag;
+    EXPECT_LE(left + wide, width) << what << tag;
+    ++count;
+  }
+  EXPECT_GE(count, 5U) << what;
+}
+
+TEST(Slice, TitlesAreNeverCutOff) {
+  const auto field = field_of_text(ball_text);
+  for (const std::string& title :
+       {std::string("ball"), std::string("Ext ∩, δ = 0.01, ε = 0.25"), std::string(60, 'W'),
+        std::string("∪∩∪∩∪∩∪∩∪∩∪∩∪∩∪∩∪∩∪∩∪∩"), std::string(90, '\x80')}) {
+    for (const std::size_t width : {160U, 240U, 320U, 640U}) {
+      SliceSettings settings = settings_for(*field, 2, 0.0);
+      settings.width = width;
+      settings.height = 160;
+      const std::string svg = draw::slice_svg(slice_of(*field, settings, title));
+      EXPECT_EQ(draw::xml_fault(svg), "");
+      expect_text_within(svg, static_cast<double>(width), title);
+    }
+  }
+  // What fits stays whole.
+  SliceSettings settings = settings_for(*field, 2, 0.0);
+  settings.width = 320;
+  EXPECT_NE(draw::slice_svg(slice_of(*field, settings, "Ext ∩, δ = 0.01, ε = 0.25"))
+                .find(">Ext ∩, δ = 0.01, ε = 0.25</text>"),
+            std::string::npos);
 }
 
 // Contour spacing, measured along the gradient on the picture: of a distance field within 5 %.
