@@ -1,6 +1,8 @@
 // Fields of the scenes that the gallery draws, and of parts of them.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -50,6 +52,17 @@ struct GalleryBlend {
   double of_intersection(const Vector3d& p) const { return std::max(first->outward(p), second->outward(p)); }
   double of_subtraction(const Vector3d& p) const { return std::max(first->outward(p), -second->outward(p)); }
 };
+
+// How far from `from`, which is inside, the surface lies in a direction of length 1; m.
+inline double surface_along(const SceneField& field, const Vector3d& from, const Vector3d& direction,
+                            double reach = 1.5) {
+  double low = 0.0, high = reach;
+  EXPECT_TRUE(field.inside(from));
+  EXPECT_FALSE(field.inside(from + high * direction));
+  for (int i = 0; i < 40; ++i)
+    (field.inside(from + 0.5 * (low + high) * direction) ? low : high) = 0.5 * (low + high);
+  return low;
+}
 
 // Places of a grid in the plane z = 0, `step` m apart, within `reach` m of the origin each way.
 inline std::vector<Vector3d> plane_points(double reach, double step) {

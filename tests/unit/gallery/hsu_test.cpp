@@ -13,16 +13,6 @@ constexpr double pi = 3.14159265358979323846;
 
 FieldPointer hsu(const std::string& name) { return gallery_field("hsu/" + name + ".json"); }
 
-// How far from `from`, which is inside, the surface lies in a direction of length 1; m.
-double surface_along(const SceneField& field, const Vector3d& from, const Vector3d& direction, double reach) {
-  double low = 0.0, high = reach;
-  EXPECT_TRUE(field.inside(from));
-  EXPECT_FALSE(field.inside(from + high * direction));
-  for (int i = 0; i < 40; ++i)
-    (field.inside(from + 0.5 * (low + high) * direction) ? low : high) = 0.5 * (low + high);
-  return low;
-}
-
 TEST(GalleryHsu, LpBallsPassTheirPoints) {
   const std::vector<std::pair<const char*, double>> metrics = {
       {"1_1", 1.1}, {"1_3", 1.3}, {"1_5", 1.5}, {"2", 2.0},

@@ -11,17 +11,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// How far from `from`, which is inside, the surface lies in a direction of length 1; m.
-double surface_along(const SceneField& field, const Vector3d& from, const Vector3d& direction,
-                     double reach = 1.5) {
-  double low = 0.0, high = reach;
-  EXPECT_TRUE(field.inside(from));
-  EXPECT_FALSE(field.inside(from + high * direction));
-  for (int i = 0; i < 40; ++i)
-    (field.inside(from + 0.5 * (low + high) * direction) ? low : high) = 0.5 * (low + high);
-  return low;
-}
-
 FieldPointer crossed(const std::string& name) {
   return gallery_field("kacic_alesic/crossed_" + name + ".json");
 }

@@ -22,16 +22,6 @@ FieldPointer node_of(const std::string& name, std::initializer_list<std::size_t>
   return scene_field(scene, FieldScalar::q27);
 }
 
-// How far from `from`, which is inside, the surface lies in a direction of length 1; m.
-double surface_along(const SceneField& field, const Vector3d& from, const Vector3d& direction, double reach) {
-  double low = 0.0, high = reach;
-  EXPECT_TRUE(field.inside(from));
-  EXPECT_FALSE(field.inside(from + high * direction));
-  for (int i = 0; i < 40; ++i)
-    (field.inside(from + 0.5 * (low + high) * direction) ? low : high) = 0.5 * (low + high);
-  return low;
-}
-
 // Of two directions, from 0 to pi.
 double angle_between(const Vector3d& a, const Vector3d& b) {
   return std::atan2(length(cross(a, b)), dot(a, b));
