@@ -4,93 +4,93 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m3(operation, item, part) \
-  operation(sphere, 111, 186, 112)                          \
-  operation(capsule, 157, 235, 162)                         \
-  operation(box, 145, 249, 144)                             \
-  operation(cylinder, 211, 355, 211)                        \
-  operation(soft_point, 123, 263, 186)                      \
-  operation(soft_segment, 167, 306, 232)                    \
-  operation(sharp_union, 23, 37, 25)                        \
-  operation(sharp_intersection, 23, 37, 25)                 \
-  operation(sharp_subtraction, 24, 49, 26)                  \
-  operation(soft_sum, 21, 57, 21)                           \
-  operation(additive_union, 82, 134, 84)                    \
-  operation(additive_intersection, 81, 134, 84)             \
-  operation(additive_subtraction, 84, 143, 85)              \
-  operation(two_sided_union, 90, 143, 91)                   \
-  operation(two_sided_intersection, 90, 143, 92)            \
-  operation(two_sided_subtraction, 91, 148, 92)             \
-  operation(intensity_union, 23, 37, 23)                    \
-  operation(intensity_intersection, 23, 37, 23)             \
-  operation(ray_union, 23, 37, 25)                          \
-  operation(ray_intersection, 23, 37, 25)                   \
-  operation(potential_of_distance, 87, 197, 115)            \
-  operation(potential_of_ray, 87, 197, 125)                 \
-  operation(variable_influence, 141, 425, 144)              \
-  operation(log_sum_exp_union, 157, 167, 157)               \
-  item(log_sum_exp_union, 53, 115, 53)                      \
-  operation(log_sum_exp_intersection, 157, 167, 157)        \
-  item(log_sum_exp_intersection, 53, 115, 53)               \
-  operation(log_sum_exp_subtraction, 144, 168, 144)         \
-  item(log_sum_exp_subtraction, 58, 121, 58)                \
-  operation(ray_point, 133, 234, 133)                       \
-  operation(ray_segment, 178, 278, 183)                     \
-  operation(ray_linear_union, 143, 251, 157)                \
-  operation(ray_linear_intersection, 143, 263, 161)         \
-  operation(ray_linear_difference, 229, 410, 232)           \
-  operation(ray_plane, 82, 127, 87)                         \
-  operation(algebraic_plane, 57, 93, 57)                    \
-  operation(quadric, 165, 242, 165)                         \
-  operation(algebraic_of_distance, 28, 68, 28)              \
-  operation(algebraic_of_ray, 42, 105, 41)                  \
-  operation(hoffmann_hopcroft_union, 125, 389, 128)         \
-  operation(hoffmann_hopcroft_intersection, 142, 415, 145)  \
-  operation(hoffmann_hopcroft_difference, 135, 421, 139)    \
-  operation(functional_spline, 130, 365, 130)               \
+  operation(sphere, 106, 189, 107)                          \
+  operation(capsule, 156, 238, 156)                         \
+  operation(box, 139, 252, 136)                             \
+  operation(cylinder, 207, 359, 207)                        \
+  operation(soft_point, 99, 266, 187)                       \
+  operation(soft_segment, 148, 310, 232)                    \
+  operation(sharp_union, 25, 31, 25)                        \
+  operation(sharp_intersection, 25, 31, 25)                 \
+  operation(sharp_subtraction, 31, 43, 31)                  \
+  operation(soft_sum, 22, 36, 24)                           \
+  operation(additive_union, 87, 127, 84)                    \
+  operation(additive_intersection, 85, 126, 85)             \
+  operation(additive_subtraction, 87, 139, 87)              \
+  operation(two_sided_union, 92, 133, 92)                   \
+  operation(two_sided_intersection, 92, 133, 93)            \
+  operation(two_sided_subtraction, 93, 145, 93)             \
+  operation(intensity_union, 23, 31, 25)                    \
+  operation(intensity_intersection, 23, 31, 25)             \
+  operation(ray_union, 23, 31, 23)                          \
+  operation(ray_intersection, 23, 31, 23)                   \
+  operation(potential_of_distance, 87, 198, 116)            \
+  operation(potential_of_ray, 85, 198, 125)                 \
+  operation(variable_influence, 141, 422, 141)              \
+  operation(log_sum_exp_union, 156, 168, 156)               \
+  item(log_sum_exp_union, 55, 115, 55)                      \
+  operation(log_sum_exp_intersection, 156, 168, 156)        \
+  item(log_sum_exp_intersection, 55, 115, 55)               \
+  operation(log_sum_exp_subtraction, 145, 169, 145)         \
+  item(log_sum_exp_subtraction, 61, 121, 61)                \
+  operation(ray_point, 128, 234, 128)                       \
+  operation(ray_segment, 178, 279, 178)                     \
+  operation(ray_linear_union, 140, 245, 140)                \
+  operation(ray_linear_intersection, 140, 238, 140)         \
+  operation(ray_linear_difference, 228, 387, 229)           \
+  operation(ray_plane, 79, 129, 79)                         \
+  operation(algebraic_plane, 53, 95, 53)                    \
+  operation(quadric, 161, 246, 157)                         \
+  operation(algebraic_of_distance, 30, 70, 30)              \
+  operation(algebraic_of_ray, 43, 106, 41)                  \
+  operation(hoffmann_hopcroft_union, 124, 387, 124)         \
+  operation(hoffmann_hopcroft_intersection, 141, 413, 141)  \
+  operation(hoffmann_hopcroft_difference, 134, 419, 134)    \
+  operation(functional_spline, 130, 366, 130)               \
   item(functional_spline, 20, 85, 20)                       \
-  operation(ribbon_patch, 534, 674, 534)                    \
+  operation(ribbon_patch, 534, 676, 534)                    \
   item(ribbon_patch, 133, 377, 133)                         \
-  operation(corner_patch, 757, 245, 757)                    \
+  operation(corner_patch, 757, 247, 757)                    \
   item(corner_patch, 208, 605, 208)                         \
-  operation(algebraic_union, 23, 37, 23)                    \
-  operation(algebraic_intersection, 23, 37, 23)             \
-  operation(tapered_capsule, 209, 411, 216)                 \
-  operation(cone_frustum, 243, 387, 244)                    \
-  operation(torus, 186, 351, 185)                           \
-  operation(disc, 193, 345, 193)                            \
-  operation(half_space, 54, 75, 54)                         \
-  operation(infinite_cylinder, 109, 185, 109)               \
-  operation(infinite_cone, 159, 242, 159)                   \
-  operation(offset, 16, 23, 16)                             \
-  operation(polygon, 142, 226, 142)                         \
+  operation(algebraic_union, 23, 31, 23)                    \
+  operation(algebraic_intersection, 23, 31, 23)             \
+  operation(tapered_capsule, 208, 414, 208)                 \
+  operation(cone_frustum, 242, 390, 242)                    \
+  operation(torus, 181, 348, 180)                           \
+  operation(disc, 186, 348, 186)                            \
+  operation(half_space, 47, 78, 47)                         \
+  operation(infinite_cylinder, 106, 189, 106)               \
+  operation(infinite_cone, 152, 245, 152)                   \
+  operation(offset, 17, 25, 17)                             \
+  operation(polygon, 142, 227, 142)                         \
   item(polygon, 58, 58, 58)                                 \
-  operation(polyline, 116, 201, 116)                        \
+  operation(polyline, 116, 202, 116)                        \
   item(polyline, 60, 59, 60)                                \
-  operation(cubic_curve, 1110, 1190, 1110)                  \
+  operation(cubic_curve, 1110, 1192, 1110)                  \
   item(cubic_curve, 797, 790, 797)                          \
-  operation(bicubic_patch, 4787, 4860, 4787)                \
-  operation(ray_slab, 89, 145, 94)                          \
-  operation(ray_of_distance, 51, 114, 51)                   \
-  operation(ray_sweep, 425, 724, 428)                       \
+  operation(bicubic_patch, 4787, 4861, 4787)                \
+  operation(ray_slab, 89, 149, 88)                          \
+  operation(ray_of_distance, 48, 110, 47)                   \
+  operation(ray_sweep, 420, 727, 420)                       \
   item(ray_sweep, 26, 39, 26)                               \
-  operation(algebraic_torus, 148, 410, 156)                 \
-  operation(noise_intensity, 108, 311, 56)                  \
-  item(noise_intensity, 161, 226, 5)                        \
-  operation(noise_distance, 94, 172, 94)                    \
+  operation(algebraic_torus, 147, 413, 147)                 \
+  operation(noise_intensity, 107, 313, 59)                  \
+  item(noise_intensity, 161, 226, 4)                        \
+  operation(noise_distance, 93, 174, 93)                    \
   item(noise_distance, 161, 226, 161)                       \
-  operation(morph, 31, 66, 32)                              \
-  operation(intensity_morph, 31, 66, 31)                    \
-  operation(ray_morph, 31, 66, 32)                          \
-  operation(swell, 25, 32, 25)                              \
-  operation(fade, 23, 43, 23)                               \
-  operation(scale_along, 102, 235, 102)                     \
-  operation(scale_about, 278, 670, 278)                     \
-  operation(scale_from_axis, 145, 360, 145)                 \
-  operation(enter_pose, 124, 185, 225)                      \
-  operation(enter_slot, 118, 168, 216)                      \
-  operation(enter_scale, 100, 136, 174)                     \
-  operation(enter_box, 177, 246, 213)                       \
-  part(query, 31, 225, 87)                                  \
+  operation(morph, 33, 68, 33)                              \
+  operation(intensity_morph, 31, 68, 33)                    \
+  operation(ray_morph, 31, 68, 31)                          \
+  operation(swell, 27, 33, 27)                              \
+  operation(fade, 23, 44, 24)                               \
+  operation(scale_along, 102, 233, 104)                     \
+  operation(scale_about, 277, 672, 278)                     \
+  operation(scale_from_axis, 145, 342, 146)                 \
+  operation(enter_pose, 111, 153, 209)                      \
+  operation(enter_slot, 107, 146, 208)                      \
+  operation(enter_scale, 95, 131, 172)                      \
+  operation(enter_box, 173, 227, 206)                       \
+  part(query, 31, 226, 88)                                  \
   part(pose_check, 0, 336, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
   part(c_interface, 0, 508, 0)                              \
@@ -100,7 +100,7 @@
   part(revolute_joint, 823, 0, 0)                           \
   part(other_joint, 445, 0, 0)                              \
   part(placed_body, 125, 0, 0)                              \
-  part(swept_capsule, 327, 0, 0)                            \
+  part(swept_capsule, 326, 0, 0)                            \
   part(refinement, 419, 0, 0)                               \
   part(stretch, 2, 0, 0)                                    \
   part(capsule_pair, 437, 0, 0)                             \

@@ -4,93 +4,93 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m33(operation, item, part) \
-  operation(sphere, 111, 186, 112)                           \
-  operation(capsule, 157, 235, 162)                          \
-  operation(box, 145, 249, 144)                              \
-  operation(cylinder, 211, 355, 211)                         \
-  operation(soft_point, 123, 263, 186)                       \
-  operation(soft_segment, 167, 306, 232)                     \
-  operation(sharp_union, 23, 37, 25)                         \
-  operation(sharp_intersection, 23, 37, 25)                  \
-  operation(sharp_subtraction, 24, 49, 26)                   \
-  operation(soft_sum, 21, 57, 21)                            \
-  operation(additive_union, 82, 135, 84)                     \
-  operation(additive_intersection, 81, 135, 84)              \
-  operation(additive_subtraction, 84, 144, 85)               \
-  operation(two_sided_union, 90, 143, 91)                    \
-  operation(two_sided_intersection, 90, 143, 92)             \
-  operation(two_sided_subtraction, 91, 147, 92)              \
-  operation(intensity_union, 23, 37, 23)                     \
-  operation(intensity_intersection, 23, 37, 23)              \
-  operation(ray_union, 23, 37, 25)                           \
-  operation(ray_intersection, 23, 37, 25)                    \
-  operation(potential_of_distance, 87, 197, 115)             \
-  operation(potential_of_ray, 87, 197, 125)                  \
-  operation(variable_influence, 141, 427, 144)               \
-  operation(log_sum_exp_union, 157, 170, 157)                \
-  item(log_sum_exp_union, 53, 118, 53)                       \
-  operation(log_sum_exp_intersection, 157, 170, 157)         \
-  item(log_sum_exp_intersection, 53, 118, 53)                \
-  operation(log_sum_exp_subtraction, 146, 176, 146)          \
-  item(log_sum_exp_subtraction, 57, 122, 57)                 \
-  operation(ray_point, 133, 234, 133)                        \
-  operation(ray_segment, 178, 278, 183)                      \
-  operation(ray_linear_union, 143, 251, 157)                 \
-  operation(ray_linear_intersection, 143, 262, 161)          \
-  operation(ray_linear_difference, 229, 411, 232)            \
-  operation(ray_plane, 82, 127, 87)                          \
-  operation(algebraic_plane, 57, 93, 57)                     \
-  operation(quadric, 173, 253, 172)                          \
-  operation(algebraic_of_distance, 28, 68, 28)               \
-  operation(algebraic_of_ray, 42, 105, 41)                   \
-  operation(hoffmann_hopcroft_union, 125, 394, 128)          \
-  operation(hoffmann_hopcroft_intersection, 142, 419, 145)   \
-  operation(hoffmann_hopcroft_difference, 135, 419, 139)     \
-  operation(functional_spline, 130, 366, 130)                \
+  operation(sphere, 106, 189, 107)                           \
+  operation(capsule, 156, 238, 156)                          \
+  operation(box, 139, 252, 136)                              \
+  operation(cylinder, 207, 359, 207)                         \
+  operation(soft_point, 99, 266, 187)                        \
+  operation(soft_segment, 148, 310, 232)                     \
+  operation(sharp_union, 25, 31, 25)                         \
+  operation(sharp_intersection, 25, 31, 25)                  \
+  operation(sharp_subtraction, 31, 43, 31)                   \
+  operation(soft_sum, 22, 36, 24)                            \
+  operation(additive_union, 87, 132, 84)                     \
+  operation(additive_intersection, 85, 131, 85)              \
+  operation(additive_subtraction, 87, 140, 87)               \
+  operation(two_sided_union, 92, 140, 92)                    \
+  operation(two_sided_intersection, 92, 140, 93)             \
+  operation(two_sided_subtraction, 93, 144, 93)              \
+  operation(intensity_union, 23, 31, 25)                     \
+  operation(intensity_intersection, 23, 31, 25)              \
+  operation(ray_union, 23, 31, 23)                           \
+  operation(ray_intersection, 23, 31, 23)                    \
+  operation(potential_of_distance, 87, 198, 116)             \
+  operation(potential_of_ray, 85, 198, 125)                  \
+  operation(variable_influence, 141, 423, 141)               \
+  operation(log_sum_exp_union, 156, 172, 156)                \
+  item(log_sum_exp_union, 55, 118, 55)                       \
+  operation(log_sum_exp_intersection, 156, 172, 156)         \
+  item(log_sum_exp_intersection, 55, 118, 55)                \
+  operation(log_sum_exp_subtraction, 145, 177, 145)          \
+  item(log_sum_exp_subtraction, 61, 122, 61)                 \
+  operation(ray_point, 128, 235, 128)                        \
+  operation(ray_segment, 178, 280, 178)                      \
+  operation(ray_linear_union, 140, 245, 140)                 \
+  operation(ray_linear_intersection, 140, 237, 140)          \
+  operation(ray_linear_difference, 228, 386, 229)            \
+  operation(ray_plane, 79, 129, 79)                          \
+  operation(algebraic_plane, 53, 95, 53)                     \
+  operation(quadric, 166, 258, 163)                          \
+  operation(algebraic_of_distance, 30, 70, 30)               \
+  operation(algebraic_of_ray, 43, 106, 41)                   \
+  operation(hoffmann_hopcroft_union, 124, 391, 124)          \
+  operation(hoffmann_hopcroft_intersection, 141, 417, 141)   \
+  operation(hoffmann_hopcroft_difference, 134, 417, 134)     \
+  operation(functional_spline, 130, 367, 130)                \
   item(functional_spline, 20, 85, 20)                        \
-  operation(ribbon_patch, 534, 672, 534)                     \
+  operation(ribbon_patch, 534, 674, 534)                     \
   item(ribbon_patch, 133, 377, 133)                          \
-  operation(corner_patch, 755, 247, 755)                     \
+  operation(corner_patch, 755, 249, 755)                     \
   item(corner_patch, 208, 605, 208)                          \
-  operation(algebraic_union, 23, 37, 23)                     \
-  operation(algebraic_intersection, 23, 37, 23)              \
-  operation(tapered_capsule, 212, 418, 219)                  \
-  operation(cone_frustum, 243, 387, 244)                     \
-  operation(torus, 186, 351, 185)                            \
-  operation(disc, 193, 345, 193)                             \
-  operation(half_space, 54, 75, 54)                          \
-  operation(infinite_cylinder, 109, 185, 109)                \
-  operation(infinite_cone, 159, 242, 159)                    \
-  operation(offset, 16, 23, 16)                              \
-  operation(polygon, 140, 227, 140)                          \
+  operation(algebraic_union, 23, 31, 23)                     \
+  operation(algebraic_intersection, 23, 31, 23)              \
+  operation(tapered_capsule, 211, 421, 211)                  \
+  operation(cone_frustum, 242, 390, 242)                     \
+  operation(torus, 181, 350, 180)                            \
+  operation(disc, 186, 348, 186)                             \
+  operation(half_space, 47, 78, 47)                          \
+  operation(infinite_cylinder, 106, 189, 106)                \
+  operation(infinite_cone, 152, 245, 152)                    \
+  operation(offset, 17, 25, 17)                              \
+  operation(polygon, 140, 228, 140)                          \
   item(polygon, 58, 57, 58)                                  \
-  operation(polyline, 114, 201, 114)                         \
+  operation(polyline, 114, 202, 114)                         \
   item(polyline, 60, 59, 60)                                 \
-  operation(cubic_curve, 1122, 1204, 1122)                   \
+  operation(cubic_curve, 1122, 1205, 1122)                   \
   item(cubic_curve, 803, 795, 803)                           \
-  operation(bicubic_patch, 4844, 4918, 4844)                 \
-  operation(ray_slab, 89, 145, 94)                           \
-  operation(ray_of_distance, 51, 114, 51)                    \
-  operation(ray_sweep, 427, 730, 429)                        \
+  operation(bicubic_patch, 4844, 4919, 4844)                 \
+  operation(ray_slab, 89, 149, 88)                           \
+  operation(ray_of_distance, 48, 110, 47)                    \
+  operation(ray_sweep, 421, 734, 421)                        \
   item(ray_sweep, 26, 39, 26)                                \
-  operation(algebraic_torus, 148, 412, 156)                  \
-  operation(noise_intensity, 108, 306, 56)                   \
-  item(noise_intensity, 162, 228, 5)                         \
-  operation(noise_distance, 94, 172, 94)                     \
+  operation(algebraic_torus, 147, 415, 147)                  \
+  operation(noise_intensity, 107, 309, 59)                   \
+  item(noise_intensity, 162, 228, 4)                         \
+  operation(noise_distance, 93, 174, 93)                     \
   item(noise_distance, 162, 228, 162)                        \
-  operation(morph, 31, 71, 32)                               \
-  operation(intensity_morph, 31, 71, 31)                     \
-  operation(ray_morph, 31, 71, 32)                           \
-  operation(swell, 25, 32, 25)                               \
-  operation(fade, 23, 43, 23)                                \
-  operation(scale_along, 102, 235, 102)                      \
-  operation(scale_about, 278, 674, 278)                      \
-  operation(scale_from_axis, 145, 361, 145)                  \
-  operation(enter_pose, 124, 185, 225)                       \
-  operation(enter_slot, 118, 168, 216)                       \
-  operation(enter_scale, 100, 136, 174)                      \
-  operation(enter_box, 177, 246, 213)                        \
-  part(query, 31, 224, 87)                                   \
+  operation(morph, 33, 73, 33)                               \
+  operation(intensity_morph, 31, 73, 33)                     \
+  operation(ray_morph, 31, 73, 31)                           \
+  operation(swell, 27, 33, 27)                               \
+  operation(fade, 23, 44, 24)                                \
+  operation(scale_along, 102, 233, 104)                      \
+  operation(scale_about, 277, 676, 278)                      \
+  operation(scale_from_axis, 145, 342, 146)                  \
+  operation(enter_pose, 111, 155, 209)                       \
+  operation(enter_slot, 107, 146, 208)                       \
+  operation(enter_scale, 95, 131, 172)                       \
+  operation(enter_box, 173, 227, 206)                        \
+  part(query, 31, 225, 88)                                   \
   part(pose_check, 0, 338, 0)                                \
   part(parameter_check, 0, 8, 0)                             \
   part(c_interface, 0, 507, 0)                               \
@@ -100,7 +100,7 @@
   part(revolute_joint, 840, 0, 0)                            \
   part(other_joint, 449, 0, 0)                               \
   part(placed_body, 127, 0, 0)                               \
-  part(swept_capsule, 331, 0, 0)                             \
+  part(swept_capsule, 330, 0, 0)                             \
   part(refinement, 424, 0, 0)                                \
   part(stretch, 2, 0, 0)                                     \
   part(capsule_pair, 442, 0, 0)                              \

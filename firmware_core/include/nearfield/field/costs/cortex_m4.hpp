@@ -4,93 +4,93 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m4(operation, item, part) \
-  operation(sphere, 112, 189, 113)                          \
-  operation(capsule, 156, 235, 160)                         \
-  operation(box, 145, 250, 145)                             \
-  operation(cylinder, 211, 360, 211)                        \
-  operation(soft_point, 124, 266, 187)                      \
-  operation(soft_segment, 166, 308, 231)                    \
-  operation(sharp_union, 23, 37, 25)                        \
-  operation(sharp_intersection, 23, 37, 25)                 \
-  operation(sharp_subtraction, 24, 47, 26)                  \
-  operation(soft_sum, 21, 57, 21)                           \
-  operation(additive_union, 83, 136, 87)                    \
-  operation(additive_intersection, 82, 136, 87)             \
-  operation(additive_subtraction, 85, 145, 88)              \
-  operation(two_sided_union, 90, 145, 93)                   \
-  operation(two_sided_intersection, 91, 145, 93)            \
-  operation(two_sided_subtraction, 91, 150, 94)             \
-  operation(intensity_union, 23, 37, 23)                    \
-  operation(intensity_intersection, 23, 37, 23)             \
-  operation(ray_union, 23, 37, 25)                          \
-  operation(ray_intersection, 23, 37, 25)                   \
-  operation(potential_of_distance, 89, 200, 117)            \
-  operation(potential_of_ray, 89, 200, 127)                 \
-  operation(variable_influence, 141, 428, 143)              \
-  operation(log_sum_exp_union, 157, 182, 157)               \
-  item(log_sum_exp_union, 53, 113, 53)                      \
-  operation(log_sum_exp_intersection, 157, 182, 157)        \
-  item(log_sum_exp_intersection, 53, 113, 53)               \
-  operation(log_sum_exp_subtraction, 144, 166, 144)         \
-  item(log_sum_exp_subtraction, 58, 121, 58)                \
-  operation(ray_point, 133, 238, 133)                       \
-  operation(ray_segment, 177, 282, 182)                     \
-  operation(ray_linear_union, 144, 252, 158)                \
-  operation(ray_linear_intersection, 144, 266, 162)         \
-  operation(ray_linear_difference, 230, 414, 234)           \
-  operation(ray_plane, 82, 128, 87)                         \
-  operation(algebraic_plane, 57, 94, 57)                    \
-  operation(quadric, 168, 247, 168)                         \
-  operation(algebraic_of_distance, 28, 70, 28)              \
-  operation(algebraic_of_ray, 42, 105, 41)                  \
-  operation(hoffmann_hopcroft_union, 126, 389, 128)         \
-  operation(hoffmann_hopcroft_intersection, 144, 415, 146)  \
-  operation(hoffmann_hopcroft_difference, 136, 421, 139)    \
-  operation(functional_spline, 130, 364, 130)               \
-  item(functional_spline, 20, 85, 20)                       \
-  operation(ribbon_patch, 532, 668, 532)                    \
-  item(ribbon_patch, 133, 376, 133)                         \
-  operation(corner_patch, 752, 246, 752)                    \
-  item(corner_patch, 208, 604, 208)                         \
-  operation(algebraic_union, 23, 37, 23)                    \
-  operation(algebraic_intersection, 23, 37, 23)             \
-  operation(tapered_capsule, 209, 416, 214)                 \
-  operation(cone_frustum, 243, 388, 243)                    \
-  operation(torus, 189, 352, 187)                           \
-  operation(disc, 197, 346, 197)                            \
-  operation(half_space, 54, 76, 54)                         \
-  operation(infinite_cylinder, 110, 187, 110)               \
-  operation(infinite_cone, 159, 243, 159)                   \
-  operation(offset, 16, 23, 16)                             \
-  operation(polygon, 145, 228, 145)                         \
+  operation(sphere, 108, 193, 108)                          \
+  operation(capsule, 156, 241, 156)                         \
+  operation(box, 141, 255, 138)                             \
+  operation(cylinder, 207, 365, 207)                        \
+  operation(soft_point, 99, 271, 189)                       \
+  operation(soft_segment, 147, 313, 231)                    \
+  operation(sharp_union, 23, 34, 25)                        \
+  operation(sharp_intersection, 23, 34, 25)                 \
+  operation(sharp_subtraction, 29, 47, 31)                  \
+  operation(soft_sum, 21, 40, 24)                           \
+  operation(additive_union, 83, 130, 85)                    \
+  operation(additive_intersection, 82, 130, 87)             \
+  operation(additive_subtraction, 84, 142, 88)              \
+  operation(two_sided_union, 92, 138, 93)                   \
+  operation(two_sided_intersection, 92, 138, 93)            \
+  operation(two_sided_subtraction, 91, 150, 95)             \
+  operation(intensity_union, 23, 34, 25)                    \
+  operation(intensity_intersection, 23, 34, 25)             \
+  operation(ray_union, 23, 34, 23)                          \
+  operation(ray_intersection, 23, 34, 23)                   \
+  operation(potential_of_distance, 87, 202, 118)            \
+  operation(potential_of_ray, 87, 203, 127)                 \
+  operation(variable_influence, 141, 429, 141)              \
+  operation(log_sum_exp_union, 156, 185, 156)               \
+  item(log_sum_exp_union, 54, 114, 55)                      \
+  operation(log_sum_exp_intersection, 156, 185, 156)        \
+  item(log_sum_exp_intersection, 54, 114, 55)               \
+  operation(log_sum_exp_subtraction, 145, 169, 145)         \
+  item(log_sum_exp_subtraction, 60, 122, 61)                \
+  operation(ray_point, 128, 238, 129)                       \
+  operation(ray_segment, 177, 282, 178)                     \
+  operation(ray_linear_union, 141, 247, 141)                \
+  operation(ray_linear_intersection, 141, 238, 141)         \
+  operation(ray_linear_difference, 229, 380, 230)           \
+  operation(ray_plane, 79, 132, 80)                         \
+  operation(algebraic_plane, 53, 98, 53)                    \
+  operation(quadric, 167, 253, 163)                         \
+  operation(algebraic_of_distance, 28, 74, 30)              \
+  operation(algebraic_of_ray, 42, 109, 41)                  \
+  operation(hoffmann_hopcroft_union, 125, 391, 125)         \
+  operation(hoffmann_hopcroft_intersection, 143, 417, 143)  \
+  operation(hoffmann_hopcroft_difference, 135, 423, 135)    \
+  operation(functional_spline, 130, 367, 130)               \
+  item(functional_spline, 20, 87, 20)                       \
+  operation(ribbon_patch, 532, 672, 532)                    \
+  item(ribbon_patch, 133, 377, 133)                         \
+  operation(corner_patch, 752, 250, 752)                    \
+  item(corner_patch, 208, 605, 208)                         \
+  operation(algebraic_union, 23, 34, 23)                    \
+  operation(algebraic_intersection, 23, 34, 23)             \
+  operation(tapered_capsule, 209, 421, 208)                 \
+  operation(cone_frustum, 243, 394, 242)                    \
+  operation(torus, 184, 350, 182)                           \
+  operation(disc, 190, 351, 189)                            \
+  operation(half_space, 47, 81, 47)                         \
+  operation(infinite_cylinder, 108, 193, 107)               \
+  operation(infinite_cone, 153, 248, 153)                   \
+  operation(offset, 16, 28, 17)                             \
+  operation(polygon, 145, 231, 145)                         \
   item(polygon, 58, 58, 58)                                 \
-  operation(polyline, 117, 201, 117)                        \
+  operation(polyline, 117, 204, 117)                        \
   item(polyline, 60, 58, 60)                                \
-  operation(cubic_curve, 1100, 1183, 1100)                  \
+  operation(cubic_curve, 1100, 1186, 1100)                  \
   item(cubic_curve, 806, 807, 806)                          \
-  operation(bicubic_patch, 4844, 4917, 4844)                \
-  operation(ray_slab, 89, 146, 94)                          \
-  operation(ray_of_distance, 51, 114, 51)                   \
-  operation(ray_sweep, 425, 722, 425)                       \
+  operation(bicubic_patch, 4844, 4920, 4844)                \
+  operation(ray_slab, 89, 149, 88)                          \
+  operation(ray_of_distance, 46, 113, 47)                   \
+  operation(ray_sweep, 421, 727, 420)                       \
   item(ray_sweep, 26, 39, 26)                               \
-  operation(algebraic_torus, 146, 419, 152)                 \
-  operation(noise_intensity, 105, 309, 56)                  \
-  item(noise_intensity, 157, 230, 5)                        \
-  operation(noise_distance, 91, 170, 91)                    \
+  operation(algebraic_torus, 146, 424, 145)                 \
+  operation(noise_intensity, 102, 314, 59)                  \
+  item(noise_intensity, 157, 230, 4)                        \
+  operation(noise_distance, 89, 176, 90)                    \
   item(noise_distance, 157, 230, 157)                       \
-  operation(morph, 30, 66, 32)                              \
-  operation(intensity_morph, 30, 66, 30)                    \
-  operation(ray_morph, 30, 66, 32)                          \
-  operation(swell, 26, 32, 26)                              \
-  operation(fade, 23, 43, 23)                               \
-  operation(scale_along, 105, 241, 105)                     \
-  operation(scale_about, 280, 665, 280)                     \
-  operation(scale_from_axis, 147, 368, 147)                 \
-  operation(enter_pose, 123, 183, 226)                      \
-  operation(enter_slot, 117, 166, 217)                      \
-  operation(enter_scale, 99, 136, 175)                      \
-  operation(enter_box, 177, 246, 215)                       \
-  part(query, 30, 224, 87)                                  \
+  operation(morph, 30, 71, 32)                              \
+  operation(intensity_morph, 30, 71, 32)                    \
+  operation(ray_morph, 30, 71, 30)                          \
+  operation(swell, 27, 37, 28)                              \
+  operation(fade, 23, 47, 24)                               \
+  operation(scale_along, 105, 228, 106)                     \
+  operation(scale_about, 279, 670, 280)                     \
+  operation(scale_from_axis, 147, 346, 148)                 \
+  operation(enter_pose, 111, 159, 208)                      \
+  operation(enter_slot, 104, 151, 207)                      \
+  operation(enter_scale, 93, 138, 170)                      \
+  operation(enter_box, 172, 233, 208)                       \
+  part(query, 30, 225, 88)                                  \
   part(pose_check, 0, 336, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
   part(c_interface, 0, 512, 0)                              \
@@ -100,7 +100,7 @@
   part(revolute_joint, 818, 0, 0)                           \
   part(other_joint, 434, 0, 0)                              \
   part(placed_body, 123, 0, 0)                              \
-  part(swept_capsule, 325, 0, 0)                            \
+  part(swept_capsule, 323, 0, 0)                            \
   part(refinement, 400, 0, 0)                               \
   part(stretch, 3, 0, 0)                                    \
   part(capsule_pair, 435, 0, 0)                             \

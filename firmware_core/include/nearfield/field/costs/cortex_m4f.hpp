@@ -4,93 +4,93 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m4f(operation, item, part) \
-  operation(sphere, 112, 189, 113)                           \
-  operation(capsule, 156, 235, 160)                          \
-  operation(box, 145, 250, 145)                              \
-  operation(cylinder, 211, 360, 211)                         \
-  operation(soft_point, 124, 270, 187)                       \
-  operation(soft_segment, 166, 312, 231)                     \
-  operation(sharp_union, 23, 37, 25)                         \
-  operation(sharp_intersection, 23, 37, 25)                  \
-  operation(sharp_subtraction, 24, 47, 26)                   \
-  operation(soft_sum, 21, 57, 21)                            \
-  operation(additive_union, 83, 138, 87)                     \
-  operation(additive_intersection, 82, 138, 87)              \
-  operation(additive_subtraction, 85, 146, 88)               \
-  operation(two_sided_union, 90, 146, 93)                    \
-  operation(two_sided_intersection, 91, 146, 93)             \
-  operation(two_sided_subtraction, 91, 150, 94)              \
-  operation(intensity_union, 23, 37, 23)                     \
-  operation(intensity_intersection, 23, 37, 23)              \
-  operation(ray_union, 23, 37, 25)                           \
-  operation(ray_intersection, 23, 37, 25)                    \
-  operation(potential_of_distance, 89, 200, 117)             \
-  operation(potential_of_ray, 89, 200, 127)                  \
-  operation(variable_influence, 141, 424, 143)               \
-  operation(log_sum_exp_union, 157, 183, 157)                \
-  item(log_sum_exp_union, 53, 115, 53)                       \
-  operation(log_sum_exp_intersection, 157, 183, 157)         \
-  item(log_sum_exp_intersection, 53, 115, 53)                \
-  operation(log_sum_exp_subtraction, 146, 170, 146)          \
-  item(log_sum_exp_subtraction, 57, 121, 57)                 \
-  operation(ray_point, 133, 238, 133)                        \
-  operation(ray_segment, 177, 282, 182)                      \
-  operation(ray_linear_union, 144, 252, 158)                 \
-  operation(ray_linear_intersection, 144, 266, 162)          \
-  operation(ray_linear_difference, 230, 414, 234)            \
-  operation(ray_plane, 82, 128, 87)                          \
-  operation(algebraic_plane, 57, 94, 57)                     \
-  operation(quadric, 170, 252, 170)                          \
-  operation(algebraic_of_distance, 28, 70, 28)               \
-  operation(algebraic_of_ray, 42, 105, 41)                   \
-  operation(hoffmann_hopcroft_union, 126, 395, 128)          \
-  operation(hoffmann_hopcroft_intersection, 144, 420, 146)   \
-  operation(hoffmann_hopcroft_difference, 138, 419, 140)     \
-  operation(functional_spline, 130, 365, 130)                \
-  item(functional_spline, 20, 85, 20)                        \
-  operation(ribbon_patch, 533, 669, 533)                     \
-  item(ribbon_patch, 133, 376, 133)                          \
-  operation(corner_patch, 754, 253, 754)                     \
-  item(corner_patch, 208, 603, 208)                          \
-  operation(algebraic_union, 23, 37, 23)                     \
-  operation(algebraic_intersection, 23, 37, 23)              \
-  operation(tapered_capsule, 212, 419, 217)                  \
-  operation(cone_frustum, 243, 388, 243)                     \
-  operation(torus, 189, 352, 187)                            \
-  operation(disc, 197, 346, 197)                             \
-  operation(half_space, 54, 76, 54)                          \
-  operation(infinite_cylinder, 110, 187, 110)                \
-  operation(infinite_cone, 159, 243, 159)                    \
-  operation(offset, 16, 23, 16)                              \
-  operation(polygon, 146, 229, 146)                          \
+  operation(sphere, 108, 193, 108)                           \
+  operation(capsule, 156, 241, 156)                          \
+  operation(box, 141, 255, 138)                              \
+  operation(cylinder, 207, 365, 207)                         \
+  operation(soft_point, 99, 276, 189)                        \
+  operation(soft_segment, 147, 317, 231)                     \
+  operation(sharp_union, 23, 34, 25)                         \
+  operation(sharp_intersection, 23, 34, 25)                  \
+  operation(sharp_subtraction, 29, 47, 31)                   \
+  operation(soft_sum, 21, 40, 24)                            \
+  operation(additive_union, 83, 130, 85)                     \
+  operation(additive_intersection, 82, 130, 87)              \
+  operation(additive_subtraction, 84, 142, 88)               \
+  operation(two_sided_union, 92, 138, 93)                    \
+  operation(two_sided_intersection, 92, 138, 93)             \
+  operation(two_sided_subtraction, 91, 150, 95)              \
+  operation(intensity_union, 23, 34, 25)                     \
+  operation(intensity_intersection, 23, 34, 25)              \
+  operation(ray_union, 23, 34, 23)                           \
+  operation(ray_intersection, 23, 34, 23)                    \
+  operation(potential_of_distance, 87, 202, 118)             \
+  operation(potential_of_ray, 87, 203, 127)                  \
+  operation(variable_influence, 141, 425, 141)               \
+  operation(log_sum_exp_union, 156, 186, 156)                \
+  item(log_sum_exp_union, 54, 116, 55)                       \
+  operation(log_sum_exp_intersection, 156, 186, 156)         \
+  item(log_sum_exp_intersection, 54, 116, 55)                \
+  operation(log_sum_exp_subtraction, 145, 174, 145)          \
+  item(log_sum_exp_subtraction, 60, 122, 61)                 \
+  operation(ray_point, 128, 238, 129)                        \
+  operation(ray_segment, 177, 282, 178)                      \
+  operation(ray_linear_union, 141, 247, 141)                 \
+  operation(ray_linear_intersection, 141, 238, 141)          \
+  operation(ray_linear_difference, 229, 382, 230)            \
+  operation(ray_plane, 79, 132, 80)                          \
+  operation(algebraic_plane, 53, 98, 53)                     \
+  operation(quadric, 168, 259, 163)                          \
+  operation(algebraic_of_distance, 28, 74, 30)               \
+  operation(algebraic_of_ray, 42, 109, 41)                   \
+  operation(hoffmann_hopcroft_union, 125, 397, 125)          \
+  operation(hoffmann_hopcroft_intersection, 143, 422, 143)   \
+  operation(hoffmann_hopcroft_difference, 136, 421, 136)     \
+  operation(functional_spline, 130, 368, 130)                \
+  item(functional_spline, 20, 87, 20)                        \
+  operation(ribbon_patch, 533, 673, 533)                     \
+  item(ribbon_patch, 133, 377, 133)                          \
+  operation(corner_patch, 754, 258, 754)                     \
+  item(corner_patch, 208, 604, 208)                          \
+  operation(algebraic_union, 23, 34, 23)                     \
+  operation(algebraic_intersection, 23, 34, 23)              \
+  operation(tapered_capsule, 212, 424, 211)                  \
+  operation(cone_frustum, 243, 394, 242)                     \
+  operation(torus, 184, 350, 182)                            \
+  operation(disc, 190, 351, 189)                             \
+  operation(half_space, 47, 81, 47)                          \
+  operation(infinite_cylinder, 108, 193, 107)                \
+  operation(infinite_cone, 153, 248, 153)                    \
+  operation(offset, 16, 28, 17)                              \
+  operation(polygon, 146, 232, 146)                          \
   item(polygon, 57, 57, 57)                                  \
-  operation(polyline, 118, 202, 118)                         \
+  operation(polyline, 118, 206, 118)                         \
   item(polyline, 60, 58, 60)                                 \
-  operation(cubic_curve, 1122, 1205, 1122)                   \
+  operation(cubic_curve, 1122, 1209, 1122)                   \
   item(cubic_curve, 812, 813, 812)                           \
-  operation(bicubic_patch, 4934, 5006, 4934)                 \
-  operation(ray_slab, 89, 146, 94)                           \
-  operation(ray_of_distance, 51, 114, 51)                    \
-  operation(ray_sweep, 427, 727, 427)                        \
+  operation(bicubic_patch, 4934, 5009, 4934)                 \
+  operation(ray_slab, 89, 149, 88)                           \
+  operation(ray_of_distance, 46, 113, 47)                    \
+  operation(ray_sweep, 422, 733, 421)                        \
   item(ray_sweep, 26, 39, 26)                                \
-  operation(algebraic_torus, 146, 415, 152)                  \
-  operation(noise_intensity, 105, 305, 56)                   \
-  item(noise_intensity, 163, 235, 5)                         \
-  operation(noise_distance, 91, 170, 91)                     \
+  operation(algebraic_torus, 146, 420, 145)                  \
+  operation(noise_intensity, 102, 311, 59)                   \
+  item(noise_intensity, 163, 235, 4)                         \
+  operation(noise_distance, 89, 176, 90)                     \
   item(noise_distance, 163, 235, 163)                        \
   operation(morph, 30, 71, 32)                               \
-  operation(intensity_morph, 30, 71, 30)                     \
-  operation(ray_morph, 30, 71, 32)                           \
-  operation(swell, 26, 32, 26)                               \
-  operation(fade, 23, 43, 23)                                \
-  operation(scale_along, 105, 242, 105)                      \
-  operation(scale_about, 280, 673, 280)                      \
-  operation(scale_from_axis, 147, 369, 147)                  \
-  operation(enter_pose, 123, 184, 226)                       \
-  operation(enter_slot, 117, 167, 217)                       \
-  operation(enter_scale, 99, 136, 175)                       \
-  operation(enter_box, 177, 247, 215)                        \
-  part(query, 30, 224, 87)                                   \
+  operation(intensity_morph, 30, 71, 32)                     \
+  operation(ray_morph, 30, 71, 30)                           \
+  operation(swell, 27, 37, 28)                               \
+  operation(fade, 23, 47, 24)                                \
+  operation(scale_along, 105, 228, 106)                      \
+  operation(scale_about, 279, 678, 280)                      \
+  operation(scale_from_axis, 147, 346, 148)                  \
+  operation(enter_pose, 111, 161, 208)                       \
+  operation(enter_slot, 104, 155, 207)                       \
+  operation(enter_scale, 93, 138, 170)                       \
+  operation(enter_box, 172, 234, 208)                        \
+  part(query, 30, 225, 88)                                   \
   part(pose_check, 0, 336, 0)                                \
   part(parameter_check, 0, 8, 0)                             \
   part(c_interface, 0, 510, 0)                               \
@@ -100,7 +100,7 @@
   part(revolute_joint, 841, 0, 0)                            \
   part(other_joint, 442, 0, 0)                               \
   part(placed_body, 126, 0, 0)                               \
-  part(swept_capsule, 326, 0, 0)                             \
+  part(swept_capsule, 325, 0, 0)                             \
   part(refinement, 407, 0, 0)                                \
   part(stretch, 3, 0, 0)                                     \
   part(capsule_pair, 441, 0, 0)                              \

@@ -4,103 +4,103 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_cortex_m7(operation, item, part) \
-  operation(sphere, 113, 190, 113)                          \
-  operation(capsule, 160, 236, 160)                         \
-  operation(box, 141, 251, 144)                             \
-  operation(cylinder, 208, 361, 211)                        \
-  operation(soft_point, 124, 259, 187)                      \
-  operation(soft_segment, 166, 301, 231)                    \
-  operation(sharp_union, 23, 30, 25)                        \
-  operation(sharp_intersection, 23, 30, 25)                 \
-  operation(sharp_subtraction, 24, 42, 24)                  \
-  operation(soft_sum, 21, 50, 21)                           \
-  operation(additive_union, 81, 129, 83)                    \
-  operation(additive_intersection, 80, 129, 84)             \
-  operation(additive_subtraction, 83, 141, 85)              \
-  operation(two_sided_union, 88, 135, 88)                   \
-  operation(two_sided_intersection, 88, 135, 91)            \
-  operation(two_sided_subtraction, 90, 144, 92)             \
-  operation(intensity_union, 23, 30, 23)                    \
-  operation(intensity_intersection, 23, 30, 23)             \
-  operation(ray_union, 23, 30, 25)                          \
-  operation(ray_intersection, 23, 30, 25)                   \
-  operation(potential_of_distance, 87, 191, 115)            \
-  operation(potential_of_ray, 87, 191, 125)                 \
-  operation(variable_influence, 145, 427, 147)              \
-  operation(log_sum_exp_union, 160, 182, 160)               \
-  item(log_sum_exp_union, 51, 111, 51)                      \
-  operation(log_sum_exp_intersection, 160, 182, 160)        \
-  item(log_sum_exp_intersection, 51, 111, 51)               \
-  operation(log_sum_exp_subtraction, 150, 177, 150)         \
-  item(log_sum_exp_subtraction, 56, 115, 56)                \
-  operation(ray_point, 133, 238, 133)                       \
-  operation(ray_segment, 182, 282, 182)                     \
-  operation(ray_linear_union, 141, 258, 155)                \
-  operation(ray_linear_intersection, 141, 248, 158)         \
-  operation(ray_linear_difference, 225, 405, 228)           \
-  operation(ray_plane, 87, 129, 87)                         \
-  operation(algebraic_plane, 57, 94, 57)                    \
-  operation(quadric, 161, 245, 161)                         \
-  operation(algebraic_of_distance, 28, 66, 28)              \
-  operation(algebraic_of_ray, 41, 102, 40)                  \
-  operation(hoffmann_hopcroft_union, 123, 355, 125)         \
-  operation(hoffmann_hopcroft_intersection, 138, 379, 140)  \
-  operation(hoffmann_hopcroft_difference, 132, 381, 134)    \
-  operation(functional_spline, 128, 365, 128)               \
+  operation(sphere, 109, 192, 108)                          \
+  operation(capsule, 156, 240, 155)                         \
+  operation(box, 140, 254, 139)                             \
+  operation(cylinder, 208, 364, 206)                        \
+  operation(soft_point, 100, 263, 187)                      \
+  operation(soft_segment, 150, 305, 230)                    \
+  operation(sharp_union, 23, 24, 25)                        \
+  operation(sharp_intersection, 23, 24, 25)                 \
+  operation(sharp_subtraction, 29, 38, 31)                  \
+  operation(soft_sum, 21, 29, 24)                           \
+  operation(additive_union, 80, 122, 83)                    \
+  operation(additive_intersection, 81, 122, 84)             \
+  operation(additive_subtraction, 82, 134, 85)              \
+  operation(two_sided_union, 90, 129, 91)                   \
+  operation(two_sided_intersection, 90, 129, 91)            \
+  operation(two_sided_subtraction, 90, 140, 93)             \
+  operation(intensity_union, 23, 24, 25)                    \
+  operation(intensity_intersection, 23, 24, 25)             \
+  operation(ray_union, 23, 26, 23)                          \
+  operation(ray_intersection, 23, 26, 23)                   \
+  operation(potential_of_distance, 84, 192, 116)            \
+  operation(potential_of_ray, 84, 194, 125)                 \
+  operation(variable_influence, 145, 425, 145)              \
+  operation(log_sum_exp_union, 157, 183, 157)               \
+  item(log_sum_exp_union, 54, 111, 55)                      \
+  operation(log_sum_exp_intersection, 157, 183, 157)        \
+  item(log_sum_exp_intersection, 54, 111, 55)               \
+  operation(log_sum_exp_subtraction, 141, 178, 141)         \
+  item(log_sum_exp_subtraction, 61, 115, 62)                \
+  operation(ray_point, 128, 237, 129)                       \
+  operation(ray_segment, 177, 281, 178)                     \
+  operation(ray_linear_union, 138, 242, 140)                \
+  operation(ray_linear_intersection, 138, 232, 140)         \
+  operation(ray_linear_difference, 224, 383, 224)           \
+  operation(ray_plane, 79, 131, 80)                         \
+  operation(algebraic_plane, 53, 96, 53)                    \
+  operation(quadric, 157, 248, 156)                         \
+  operation(algebraic_of_distance, 28, 67, 30)              \
+  operation(algebraic_of_ray, 42, 105, 42)                  \
+  operation(hoffmann_hopcroft_union, 122, 353, 122)         \
+  operation(hoffmann_hopcroft_intersection, 136, 377, 136)  \
+  operation(hoffmann_hopcroft_difference, 131, 379, 131)    \
+  operation(functional_spline, 128, 366, 128)               \
   item(functional_spline, 21, 81, 21)                       \
-  operation(ribbon_patch, 533, 675, 533)                    \
+  operation(ribbon_patch, 533, 677, 533)                    \
   item(ribbon_patch, 134, 372, 134)                         \
-  operation(corner_patch, 755, 283, 755)                    \
+  operation(corner_patch, 755, 285, 755)                    \
   item(corner_patch, 208, 599, 208)                         \
-  operation(algebraic_union, 23, 30, 25)                    \
-  operation(algebraic_intersection, 23, 30, 25)             \
-  operation(tapered_capsule, 218, 428, 218)                 \
-  operation(cone_frustum, 230, 388, 230)                    \
-  operation(torus, 187, 353, 187)                           \
-  operation(disc, 196, 347, 196)                            \
-  operation(half_space, 53, 77, 53)                         \
-  operation(infinite_cylinder, 107, 189, 110)               \
-  operation(infinite_cone, 161, 251, 161)                   \
-  operation(offset, 16, 21, 16)                             \
-  operation(polygon, 144, 229, 144)                         \
+  operation(algebraic_union, 23, 24, 23)                    \
+  operation(algebraic_intersection, 23, 24, 23)             \
+  operation(tapered_capsule, 213, 431, 212)                 \
+  operation(cone_frustum, 230, 391, 229)                    \
+  operation(torus, 183, 349, 182)                           \
+  operation(disc, 191, 350, 190)                            \
+  operation(half_space, 47, 80, 47)                         \
+  operation(infinite_cylinder, 108, 192, 107)               \
+  operation(infinite_cone, 156, 254, 156)                   \
+  operation(offset, 16, 23, 17)                             \
+  operation(polygon, 144, 230, 144)                         \
   item(polygon, 58, 59, 58)                                 \
-  operation(polyline, 117, 204, 117)                        \
+  operation(polyline, 117, 206, 117)                        \
   item(polyline, 60, 58, 60)                                \
-  operation(cubic_curve, 1101, 1184, 1101)                  \
+  operation(cubic_curve, 1101, 1185, 1101)                  \
   item(cubic_curve, 794, 795, 794)                          \
-  operation(bicubic_patch, 4752, 4826, 4752)                \
-  operation(ray_slab, 89, 147, 94)                          \
-  operation(ray_of_distance, 51, 112, 51)                   \
-  operation(ray_sweep, 451, 730, 456)                       \
+  operation(bicubic_patch, 4752, 4827, 4752)                \
+  operation(ray_slab, 89, 148, 88)                          \
+  operation(ray_of_distance, 46, 108, 47)                   \
+  operation(ray_sweep, 452, 734, 451)                       \
   item(ray_sweep, 24, 41, 24)                               \
-  operation(algebraic_torus, 143, 394, 152)                 \
-  operation(noise_intensity, 109, 295, 53)                  \
+  operation(algebraic_torus, 143, 397, 142)                 \
+  operation(noise_intensity, 106, 297, 54)                  \
   item(noise_intensity, 159, 235, 8)                        \
-  operation(noise_distance, 94, 167, 94)                    \
+  operation(noise_distance, 92, 169, 93)                    \
   item(noise_distance, 159, 235, 159)                       \
-  operation(morph, 30, 65, 32)                              \
-  operation(intensity_morph, 30, 65, 30)                    \
-  operation(ray_morph, 30, 65, 32)                          \
-  operation(swell, 26, 30, 26)                              \
-  operation(fade, 23, 41, 23)                               \
-  operation(scale_along, 102, 238, 102)                     \
-  operation(scale_about, 280, 669, 280)                     \
-  operation(scale_from_axis, 145, 361, 145)                 \
-  operation(enter_pose, 122, 180, 224)                      \
-  operation(enter_slot, 116, 164, 215)                      \
-  operation(enter_scale, 99, 134, 175)                      \
-  operation(enter_box, 181, 245, 215)                       \
-  part(query, 30, 225, 87)                                  \
+  operation(morph, 30, 64, 32)                              \
+  operation(intensity_morph, 30, 64, 32)                    \
+  operation(ray_morph, 30, 66, 30)                          \
+  operation(swell, 27, 31, 28)                              \
+  operation(fade, 23, 42, 24)                               \
+  operation(scale_along, 102, 224, 102)                     \
+  operation(scale_about, 279, 672, 279)                     \
+  operation(scale_from_axis, 145, 338, 145)                 \
+  operation(enter_pose, 112, 151, 203)                      \
+  operation(enter_slot, 107, 140, 207)                      \
+  operation(enter_scale, 93, 130, 169)                      \
+  operation(enter_box, 176, 226, 211)                       \
+  part(query, 30, 226, 87)                                  \
   part(pose_check, 0, 323, 0)                               \
   part(parameter_check, 0, 8, 0)                            \
   part(c_interface, 0, 513, 0)                              \
   part(c_pose, 0, 25, 0)                                    \
   part(soft_clearance, 0, 368, 0)                           \
-  part(link_poses, 42, 0, 0)                                \
-  part(revolute_joint, 813, 0, 0)                           \
-  part(other_joint, 424, 0, 0)                              \
+  part(link_poses, 41, 0, 0)                                \
+  part(revolute_joint, 824, 0, 0)                           \
+  part(other_joint, 436, 0, 0)                              \
   part(placed_body, 128, 0, 0)                              \
-  part(swept_capsule, 315, 0, 0)                            \
+  part(swept_capsule, 314, 0, 0)                            \
   part(refinement, 411, 0, 0)                               \
   part(stretch, 3, 0, 0)                                    \
   part(capsule_pair, 442, 0, 0)                             \

@@ -4,64 +4,64 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_rv32imac(operation, item, part) \
-  operation(sphere, 186, 309, 189)                         \
-  operation(capsule, 272, 395, 272)                        \
-  operation(box, 219, 377, 219)                            \
-  operation(cylinder, 336, 548, 336)                       \
-  operation(soft_point, 172, 395, 289)                     \
-  operation(soft_segment, 275, 497, 394)                   \
-  operation(sharp_union, 20, 41, 24)                       \
-  operation(sharp_intersection, 20, 40, 24)                \
-  operation(sharp_subtraction, 22, 44, 24)                 \
-  operation(soft_sum, 22, 70, 22)                          \
-  operation(additive_union, 87, 133, 87)                   \
-  operation(additive_intersection, 88, 133, 90)            \
-  operation(additive_subtraction, 88, 142, 92)             \
-  operation(two_sided_union, 90, 138, 94)                  \
-  operation(two_sided_intersection, 91, 138, 94)           \
-  operation(two_sided_subtraction, 91, 161, 95)            \
-  operation(intensity_union, 20, 40, 24)                   \
-  operation(intensity_intersection, 20, 41, 25)            \
-  operation(ray_union, 20, 43, 24)                         \
-  operation(ray_intersection, 20, 42, 24)                  \
-  operation(potential_of_distance, 97, 231, 136)           \
-  operation(potential_of_ray, 97, 232, 147)                \
-  operation(variable_influence, 232, 572, 234)             \
-  operation(log_sum_exp_union, 220, 266, 220)              \
-  item(log_sum_exp_union, 51, 124, 51)                     \
-  operation(log_sum_exp_intersection, 220, 266, 220)       \
-  item(log_sum_exp_intersection, 51, 124, 51)              \
-  operation(log_sum_exp_subtraction, 206, 261, 206)        \
-  item(log_sum_exp_subtraction, 59, 119, 59)               \
-  operation(ray_point, 209, 384, 210)                      \
-  operation(ray_segment, 304, 471, 306)                    \
-  operation(ray_linear_union, 191, 360, 209)               \
-  operation(ray_linear_intersection, 192, 352, 211)        \
-  operation(ray_linear_difference, 326, 553, 329)          \
-  operation(ray_plane, 124, 218, 129)                      \
-  operation(algebraic_plane, 96, 185, 96)                  \
-  operation(quadric, 268, 422, 271)                        \
+  operation(sphere, 186, 295, 172)                         \
+  operation(capsule, 272, 380, 272)                        \
+  operation(box, 219, 376, 219)                            \
+  operation(cylinder, 336, 547, 337)                       \
+  operation(soft_point, 151, 394, 289)                     \
+  operation(soft_segment, 265, 496, 380)                   \
+  operation(sharp_union, 20, 38, 22)                       \
+  operation(sharp_intersection, 20, 37, 22)                \
+  operation(sharp_subtraction, 26, 41, 28)                 \
+  operation(soft_sum, 22, 47, 25)                          \
+  operation(additive_union, 87, 128, 89)                   \
+  operation(additive_intersection, 87, 128, 89)            \
+  operation(additive_subtraction, 88, 138, 89)             \
+  operation(two_sided_union, 90, 132, 93)                  \
+  operation(two_sided_intersection, 91, 132, 93)           \
+  operation(two_sided_subtraction, 91, 159, 93)            \
+  operation(intensity_union, 20, 37, 22)                   \
+  operation(intensity_intersection, 20, 38, 22)            \
+  operation(ray_union, 20, 40, 20)                         \
+  operation(ray_intersection, 20, 39, 20)                  \
+  operation(potential_of_distance, 97, 233, 136)           \
+  operation(potential_of_ray, 97, 232, 144)                \
+  operation(variable_influence, 233, 571, 233)             \
+  operation(log_sum_exp_union, 221, 266, 221)              \
+  item(log_sum_exp_union, 53, 124, 54)                     \
+  operation(log_sum_exp_intersection, 221, 266, 221)       \
+  item(log_sum_exp_intersection, 53, 124, 54)              \
+  operation(log_sum_exp_subtraction, 204, 261, 204)        \
+  item(log_sum_exp_subtraction, 61, 119, 62)               \
+  operation(ray_point, 209, 381, 211)                      \
+  operation(ray_segment, 304, 467, 306)                    \
+  operation(ray_linear_union, 184, 349, 193)               \
+  operation(ray_linear_intersection, 183, 346, 194)        \
+  operation(ray_linear_difference, 327, 550, 327)          \
+  operation(ray_plane, 124, 208, 125)                      \
+  operation(algebraic_plane, 96, 185, 95)                  \
+  operation(quadric, 271, 421, 271)                        \
   operation(algebraic_of_distance, 36, 91, 36)             \
-  operation(algebraic_of_ray, 50, 132, 51)                 \
-  operation(hoffmann_hopcroft_union, 147, 476, 150)        \
-  operation(hoffmann_hopcroft_intersection, 166, 495, 166) \
-  operation(hoffmann_hopcroft_difference, 159, 499, 159)   \
+  operation(algebraic_of_ray, 50, 131, 50)                 \
+  operation(hoffmann_hopcroft_union, 147, 473, 145)        \
+  operation(hoffmann_hopcroft_intersection, 166, 491, 164) \
+  operation(hoffmann_hopcroft_difference, 159, 496, 157)   \
   operation(functional_spline, 191, 465, 191)              \
-  item(functional_spline, 19, 115, 19)                     \
+  item(functional_spline, 19, 115, 17)                     \
   operation(ribbon_patch, 620, 890, 620)                   \
-  item(ribbon_patch, 183, 503, 183)                        \
+  item(ribbon_patch, 183, 503, 182)                        \
   operation(corner_patch, 810, 192, 810)                   \
-  item(corner_patch, 294, 803, 294)                        \
-  operation(algebraic_union, 22, 43, 26)                   \
-  operation(algebraic_intersection, 22, 42, 26)            \
-  operation(tapered_capsule, 334, 700, 334)                \
-  operation(cone_frustum, 378, 590, 378)                   \
-  operation(torus, 305, 538, 304)                          \
-  operation(disc, 311, 557, 311)                           \
+  item(corner_patch, 294, 803, 293)                        \
+  operation(algebraic_union, 22, 40, 20)                   \
+  operation(algebraic_intersection, 22, 39, 20)            \
+  operation(tapered_capsule, 334, 699, 333)                \
+  operation(cone_frustum, 378, 589, 378)                   \
+  operation(torus, 305, 508, 305)                          \
+  operation(disc, 311, 548, 311)                           \
   operation(half_space, 82, 143, 82)                       \
-  operation(infinite_cylinder, 181, 304, 181)              \
+  operation(infinite_cylinder, 181, 289, 181)              \
   operation(infinite_cone, 234, 394, 234)                  \
-  operation(offset, 17, 17, 17)                            \
+  operation(offset, 17, 17, 19)                            \
   operation(polygon, 217, 340, 217)                        \
   item(polygon, 77, 77, 77)                                \
   operation(polyline, 191, 322, 191)                       \
@@ -69,33 +69,33 @@
   operation(cubic_curve, 1806, 1929, 1806)                 \
   item(cubic_curve, 850, 852, 850)                         \
   operation(bicubic_patch, 6409, 6521, 6409)               \
-  operation(ray_slab, 138, 240, 138)                       \
-  operation(ray_of_distance, 60, 133, 60)                  \
-  operation(ray_sweep, 633, 976, 634)                      \
+  operation(ray_slab, 122, 220, 132)                       \
+  operation(ray_of_distance, 58, 132, 58)                  \
+  operation(ray_sweep, 633, 975, 634)                      \
   item(ray_sweep, 38, 51, 38)                              \
-  operation(algebraic_torus, 202, 531, 202)                \
+  operation(algebraic_torus, 202, 530, 202)                \
   operation(noise_intensity, 185, 428, 76)                 \
-  item(noise_intensity, 178, 286, 5)                       \
-  operation(noise_distance, 161, 259, 162)                 \
+  item(noise_intensity, 178, 286, 3)                       \
+  operation(noise_distance, 161, 259, 163)                 \
   item(noise_distance, 178, 286, 178)                      \
-  operation(morph, 42, 109, 43)                            \
-  operation(intensity_morph, 42, 108, 42)                  \
-  operation(ray_morph, 42, 110, 43)                        \
-  operation(swell, 32, 32, 32)                             \
-  operation(fade, 30, 62, 30)                              \
-  operation(scale_along, 147, 317, 147)                    \
-  operation(scale_about, 410, 895, 411)                    \
-  operation(scale_from_axis, 214, 459, 214)                \
-  operation(enter_pose, 217, 378, 360)                     \
-  operation(enter_slot, 198, 325, 363)                     \
-  operation(enter_scale, 128, 191, 242)                    \
-  operation(enter_box, 194, 263, 266)                      \
+  operation(morph, 42, 101, 44)                            \
+  operation(intensity_morph, 42, 101, 44)                  \
+  operation(ray_morph, 42, 104, 42)                        \
+  operation(swell, 32, 32, 33)                             \
+  operation(fade, 30, 62, 31)                              \
+  operation(scale_along, 136, 317, 138)                    \
+  operation(scale_about, 410, 896, 410)                    \
+  operation(scale_from_axis, 202, 484, 201)                \
+  operation(enter_pose, 170, 276, 362)                     \
+  operation(enter_slot, 164, 261, 348)                     \
+  operation(enter_scale, 128, 192, 245)                    \
+  operation(enter_box, 194, 262, 229)                      \
   part(query, 61, 280, 76)                                 \
   part(pose_check, 0, 431, 0)                              \
   part(parameter_check, 0, 6, 0)                           \
   part(c_interface, 0, 466, 0)                             \
   part(c_pose, 0, 42, 0)                                   \
-  part(soft_clearance, 0, 351, 0)                          \
+  part(soft_clearance, 0, 328, 0)                          \
   part(link_poses, 81, 0, 0)                               \
   part(revolute_joint, 1342, 0, 0)                         \
   part(other_joint, 689, 0, 0)                             \
@@ -104,4 +104,4 @@
   part(refinement, 614, 0, 0)                              \
   part(stretch, 2, 0, 0)                                   \
   part(capsule_pair, 700, 0, 0)                            \
-  part(tick, 3091, 0, 0)
+  part(tick, 3088, 0, 0)

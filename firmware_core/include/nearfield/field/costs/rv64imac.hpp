@@ -4,63 +4,63 @@
 #pragma once
 
 #define NEARFIELD_COSTS_OF_rv64imac(operation, item, part) \
-  operation(sphere, 214, 347, 216)                         \
-  operation(capsule, 301, 429, 304)                        \
-  operation(box, 259, 417, 261)                            \
-  operation(cylinder, 390, 628, 393)                       \
-  operation(soft_point, 163, 339, 320)                     \
-  operation(soft_segment, 317, 488, 479)                   \
-  operation(sharp_union, 29, 65, 28)                       \
-  operation(sharp_intersection, 26, 64, 28)                \
-  operation(sharp_subtraction, 29, 61, 29)                 \
-  operation(soft_sum, 28, 96, 25)                          \
-  operation(additive_union, 109, 181, 110)                 \
-  operation(additive_intersection, 110, 182, 108)          \
-  operation(additive_subtraction, 110, 183, 109)           \
+  operation(sphere, 214, 328, 216)                         \
+  operation(capsule, 302, 418, 304)                        \
+  operation(box, 259, 418, 261)                            \
+  operation(cylinder, 390, 629, 393)                       \
+  operation(soft_point, 163, 339, 331)                     \
+  operation(soft_segment, 317, 488, 488)                   \
+  operation(sharp_union, 29, 64, 25)                       \
+  operation(sharp_intersection, 29, 63, 25)                \
+  operation(sharp_subtraction, 32, 61, 30)                 \
+  operation(soft_sum, 27, 78, 26)                          \
+  operation(additive_union, 109, 183, 108)                 \
+  operation(additive_intersection, 109, 183, 109)          \
+  operation(additive_subtraction, 109, 184, 108)           \
   operation(two_sided_union, 113, 186, 112)                \
-  operation(two_sided_intersection, 113, 186, 112)         \
-  operation(two_sided_subtraction, 112, 198, 112)          \
-  operation(intensity_union, 26, 64, 27)                   \
-  operation(intensity_intersection, 26, 65, 27)            \
-  operation(ray_union, 26, 67, 27)                         \
-  operation(ray_intersection, 26, 66, 30)                  \
-  operation(potential_of_distance, 121, 228, 148)          \
-  operation(potential_of_ray, 121, 230, 163)               \
-  operation(variable_influence, 248, 458, 249)             \
-  operation(log_sum_exp_union, 138, 221, 140)              \
-  item(log_sum_exp_union, 59, 105, 57)                     \
-  operation(log_sum_exp_intersection, 138, 221, 140)       \
-  item(log_sum_exp_intersection, 59, 105, 57)              \
-  operation(log_sum_exp_subtraction, 121, 196, 123)        \
-  item(log_sum_exp_subtraction, 67, 117, 65)               \
+  operation(two_sided_intersection, 112, 186, 111)         \
+  operation(two_sided_subtraction, 112, 202, 112)          \
+  operation(intensity_union, 29, 65, 25)                   \
+  operation(intensity_intersection, 29, 66, 25)            \
+  operation(ray_union, 31, 66, 27)                         \
+  operation(ray_intersection, 31, 65, 27)                  \
+  operation(potential_of_distance, 122, 209, 158)          \
+  operation(potential_of_ray, 123, 211, 173)               \
+  operation(variable_influence, 249, 463, 247)             \
+  operation(log_sum_exp_union, 124, 217, 126)              \
+  item(log_sum_exp_union, 66, 105, 64)                     \
+  operation(log_sum_exp_intersection, 124, 217, 126)       \
+  item(log_sum_exp_intersection, 66, 105, 64)              \
+  operation(log_sum_exp_subtraction, 107, 192, 109)        \
+  item(log_sum_exp_subtraction, 74, 117, 72)               \
   operation(ray_point, 227, 415, 229)                      \
   operation(ray_segment, 313, 502, 315)                    \
-  operation(ray_linear_union, 267, 412, 264)               \
-  operation(ray_linear_intersection, 265, 405, 262)        \
-  operation(ray_linear_difference, 385, 546, 386)          \
-  operation(ray_plane, 108, 209, 110)                      \
-  operation(algebraic_plane, 72, 176, 74)                  \
-  operation(quadric, 173, 264, 175)                        \
-  operation(algebraic_of_distance, 32, 87, 32)             \
-  operation(algebraic_of_ray, 41, 105, 42)                 \
-  operation(hoffmann_hopcroft_union, 131, 500, 131)        \
-  operation(hoffmann_hopcroft_intersection, 148, 519, 146) \
-  operation(hoffmann_hopcroft_difference, 144, 518, 142)   \
+  operation(ray_linear_union, 246, 412, 247)               \
+  operation(ray_linear_intersection, 241, 405, 238)        \
+  operation(ray_linear_difference, 387, 550, 385)          \
+  operation(ray_plane, 102, 210, 110)                      \
+  operation(algebraic_plane, 73, 148, 75)                  \
+  operation(quadric, 173, 265, 175)                        \
+  operation(algebraic_of_distance, 32, 71, 32)             \
+  operation(algebraic_of_ray, 43, 104, 43)                 \
+  operation(hoffmann_hopcroft_union, 129, 504, 127)        \
+  operation(hoffmann_hopcroft_intersection, 146, 523, 144) \
+  operation(hoffmann_hopcroft_difference, 140, 522, 138)   \
   operation(functional_spline, 126, 357, 128)              \
-  item(functional_spline, 14, 61, 12)                      \
-  operation(ribbon_patch, 475, 733, 478)                   \
-  item(ribbon_patch, 229, 510, 227)                        \
+  item(functional_spline, 13, 61, 11)                      \
+  operation(ribbon_patch, 475, 728, 478)                   \
+  item(ribbon_patch, 228, 510, 226)                        \
   operation(corner_patch, 685, 2, 687)                     \
-  item(corner_patch, 413, 945, 411)                        \
-  operation(algebraic_union, 28, 67, 30)                   \
-  operation(algebraic_intersection, 28, 66, 30)            \
-  operation(tapered_capsule, 331, 718, 333)                \
-  operation(cone_frustum, 424, 652, 427)                   \
-  operation(torus, 376, 621, 377)                          \
-  operation(disc, 377, 629, 380)                           \
+  item(corner_patch, 412, 945, 410)                        \
+  operation(algebraic_union, 29, 66, 25)                   \
+  operation(algebraic_intersection, 29, 65, 25)            \
+  operation(tapered_capsule, 331, 720, 333)                \
+  operation(cone_frustum, 424, 653, 427)                   \
+  operation(torus, 374, 580, 377)                          \
+  operation(disc, 378, 628, 380)                           \
   operation(half_space, 70, 141, 72)                       \
-  operation(infinite_cylinder, 212, 345, 214)              \
-  operation(infinite_cone, 257, 440, 260)                  \
+  operation(infinite_cylinder, 208, 325, 210)              \
+  operation(infinite_cone, 258, 417, 260)                  \
   operation(offset, 19, 31, 19)                            \
   operation(polygon, 243, 348, 245)                        \
   item(polygon, 60, 60, 60)                                \
@@ -69,39 +69,39 @@
   operation(cubic_curve, 1690, 1802, 1692)                 \
   item(cubic_curve, 769, 769, 769)                         \
   operation(bicubic_patch, 6468, 6582, 6470)               \
-  operation(ray_slab, 116, 225, 118)                       \
-  operation(ray_of_distance, 47, 114, 47)                  \
-  operation(ray_sweep, 872, 1211, 874)                     \
+  operation(ray_slab, 107, 225, 118)                       \
+  operation(ray_of_distance, 40, 111, 41)                  \
+  operation(ray_sweep, 872, 1212, 874)                     \
   item(ray_sweep, 38, 43, 38)                              \
   operation(algebraic_torus, 138, 401, 140)                \
-  operation(noise_intensity, 158, 293, 77)                 \
+  operation(noise_intensity, 158, 298, 79)                 \
   item(noise_intensity, 213, 331, 5)                       \
-  operation(noise_distance, 138, 209, 144)                 \
+  operation(noise_distance, 138, 213, 144)                 \
   item(noise_distance, 213, 331, 213)                      \
-  operation(morph, 42, 99, 43)                             \
-  operation(intensity_morph, 42, 99, 40)                   \
-  operation(ray_morph, 45, 101, 45)                        \
+  operation(morph, 43, 100, 41)                            \
+  operation(intensity_morph, 43, 102, 41)                  \
+  operation(ray_morph, 45, 104, 43)                        \
   operation(swell, 31, 44, 31)                             \
-  operation(fade, 30, 56, 30)                              \
-  operation(scale_along, 161, 314, 161)                    \
-  operation(scale_about, 490, 842, 491)                    \
-  operation(scale_from_axis, 276, 510, 278)                \
-  operation(enter_pose, 175, 311, 388)                     \
-  operation(enter_slot, 156, 258, 365)                     \
-  operation(enter_scale, 126, 229, 246)                    \
-  operation(enter_box, 221, 296, 259)                      \
+  operation(fade, 30, 57, 30)                              \
+  operation(scale_along, 150, 250, 150)                    \
+  operation(scale_about, 491, 841, 490)                    \
+  operation(scale_from_axis, 255, 439, 255)                \
+  operation(enter_pose, 145, 212, 353)                     \
+  operation(enter_slot, 140, 201, 340)                     \
+  operation(enter_scale, 125, 183, 216)                    \
+  operation(enter_box, 220, 266, 258)                      \
   part(query, 63, 197, 72)                                 \
   part(pose_check, 0, 319, 0)                              \
   part(parameter_check, 0, 5, 0)                           \
   part(c_interface, 0, 423, 0)                             \
   part(c_pose, 0, 42, 0)                                   \
-  part(soft_clearance, 0, 399, 0)                          \
-  part(link_poses, 87, 0, 0)                               \
-  part(revolute_joint, 728, 0, 0)                          \
-  part(other_joint, 388, 0, 0)                             \
+  part(soft_clearance, 0, 370, 0)                          \
+  part(link_poses, 88, 0, 0)                               \
+  part(revolute_joint, 721, 0, 0)                          \
+  part(other_joint, 379, 0, 0)                             \
   part(placed_body, 145, 0, 0)                             \
   part(swept_capsule, 486, 0, 0)                           \
   part(refinement, 711, 0, 0)                              \
   part(stretch, 2, 0, 0)                                   \
   part(capsule_pair, 742, 0, 0)                            \
-  part(tick, 3050, 0, 0)
+  part(tick, 3043, 0, 0)
