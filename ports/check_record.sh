@@ -8,6 +8,7 @@ record=$1
 version=$2
 shift 2
 output=$("$@") || { printf '%s\n' "$output"; exit 1; }
+[ -n "$output" ] || { echo "nothing was measured" >&2; exit 1; }
 printf '%s\n' "$output"
 if ! grep -q -F "GCC $version" "$record"; then
   echo "not compared: $record was not recorded with GCC $version"
