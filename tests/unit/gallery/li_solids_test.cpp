@@ -33,26 +33,29 @@ TEST(GalleryLi, TheBulgeSticksOutAndTheContractionGoesIn) {
   EXPECT_NEAR(surface_near(*contraction, far, up), radius, 1e-6);
 }
 
-TEST(GalleryLi, TheDigitIsAStrokeWithoutRipples) {
+TEST(GalleryLi, TheDigitIsAStrokeWithHalfTheRipplesOfItsBalls) {
   const FieldPointer stroke = gallery_field("li/digit.json"), balls = gallery_field("li/digit_balls.json");
   const SceneDescription scene = gallery_scene("li/digit.json");
   const std::vector<FieldNode>& operands = scene.field.operands;
   ASSERT_EQ(operands.size(), 30U);
-  double least_valley = 1.0, greatest_crest = 0.0, sharp_valley = 1.0;
+  double least_valley = 1.0, greatest_ripple = 0.0, sharp_valley = 1.0;
   const Vector3d away{0.0, -1.0, 0.0};  // the curve lies in the plane y = 0
   for (std::size_t i = 0; i + 1 < operands.size(); ++i) {
     const Vector3d here = operands[i].placement.position, next = operands[i + 1].placement.position;
     EXPECT_EQ(operands[i].number("radius"), 0.045);
-    greatest_crest = std::max(greatest_crest, surface_near(*stroke, here, away));
     if (i < 13 || i > 17) {  // the two arcs meet there, and more than two balls
-      least_valley = std::min(least_valley, surface_near(*stroke, 0.5 * (here + next), away));
+      const double crest = surface_near(*stroke, here, away),
+                   valley = surface_near(*stroke, 0.5 * (here + next), away);
+      greatest_ripple = std::max(greatest_ripple, std::abs(crest - valley));
+      least_valley = std::min(least_valley, valley);
       sharp_valley = std::min(sharp_valley, surface_near(*balls, 0.5 * (here + next), away));
     }
   }
   EXPECT_LT(sharp_valley, 0.031);
   EXPECT_GT(least_valley, 0.045);
-  std::printf("stroke from %.4f to %.4f m, balls down to %.4f m\n", least_valley, greatest_crest,
-              sharp_valley);
+  EXPECT_LT(greatest_ripple, 0.5 * (0.045 - sharp_valley));
+  std::printf("stroke at least %.4f m with ripples of %.4f m, balls down to %.4f m of 0.045 m\n", least_valley,
+              greatest_ripple, sharp_valley);
   for (const Vector3d& p : plane_points(0.4, 0.1)) {
     const Vector3d q{p.x, 0.02, p.y};
     EXPECT_LE(stroke->outward(q), balls->outward(q) + stroke->proof().error + balls->proof().error);
