@@ -38,6 +38,14 @@ void print_help(std::FILE* to) {
   std::fprintf(to, "\n`nearfield VERB --help` tells more.\n");
 }
 
+int run(const Verb& verb, const std::vector<std::string>& arguments) {
+  try {
+    return verb.run(arguments);
+  } catch (const UsageError& error) {
+    throw InputError("nearfield", {}, "", error.what(), "`nearfield " + verb.name + " --help` tells more");
+  }
+}
+
 int dispatch(const std::vector<std::string>& arguments) {
   if (arguments.empty()) {
     print_help(stderr);
@@ -49,7 +57,7 @@ int dispatch(const std::vector<std::string>& arguments) {
   }
   std::vector<std::string_view> names;
   for (const Verb& verb : verbs()) {
-    if (verb.name == arguments[0]) return verb.run({arguments.begin() + 1, arguments.end()});
+    if (verb.name == arguments[0]) return run(verb, {arguments.begin() + 1, arguments.end()});
     names.push_back(verb.name);
   }
   throw UsageError(unknown_name("verb", arguments[0], names));

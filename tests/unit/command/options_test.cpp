@@ -1,11 +1,20 @@
 // How the command is called: help, verbs, options and their values, names of files.
+#include <algorithm>
+
 #include "command/options.hpp"
 #include "command_runner.hpp"
 
 namespace nearfield::host {
 namespace {
 
-const std::string try_help = "; `nearfield help` lists what there is";
+const std::vector<std::string> verbs = {"sim",  "check", "bake",  "curve", "budget",
+                                        "eval", "render", "slice", "mesh",  "gallery"};
+
+/// What a refusal ends with: where to read on.
+std::string help_for(const std::vector<std::string>& arguments) {
+  const bool known = !arguments.empty() && std::count(verbs.begin(), verbs.end(), arguments[0]) != 0;
+  return known ? "; `nearfield " + arguments[0] + " --help` tells more" : "; `nearfield help` lists what there is";
+}
 
 TEST(CommandOptions, HelpTellsOfEveryVerb) {
   const ScratchFolder folder;
@@ -115,7 +124,7 @@ TEST(CommandOptions, RefusesWrongCalls) {
   };
   const ScratchFolder folder;
   for (const auto& [arguments, line] : cases) {
-    EXPECT_EQ(refusal(folder, arguments), "nearfield: " + line + try_help) << typed(arguments);
+    EXPECT_EQ(refusal(folder, arguments), "nearfield: " + line + help_for(arguments)) << typed(arguments);
   }
 }
 
