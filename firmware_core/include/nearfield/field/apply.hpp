@@ -2,8 +2,8 @@
 #pragma once
 
 #include <nearfield/field/slots.hpp>
-#include <nearfield/shape/sample.hpp>
 #include <nearfield/shape/operands.hpp>
+#include <nearfield/shape/sample.hpp>
 
 namespace nearfield::detail {
 
@@ -13,6 +13,7 @@ template <class Out, class T, class View, class S, class... Operand>
 constexpr Out apply(const T& operation, [[maybe_unused]] const Vector3<S>& p, [[maybe_unused]] const View& table,
                     [[maybe_unused]] const S* parameters, const Operand&... of) {
   static_assert(operand_count_of<T> == static_cast<int>(sizeof...(of)), "not as many operands as it takes");
+  static_assert(!takes_point_of<T> || sizeof...(of) == 1, "operations that take the point have one operand");
   if constexpr (sizeof...(of) == 0) {
     if constexpr (uses_table<T>) return operation.template evaluate<Out>(p, table);
     else return operation.template evaluate<Out>(p);
@@ -39,6 +40,8 @@ template <class T, class View, class S, class... Operand>
 constexpr Highest<S> apply_highest(const T& operation, [[maybe_unused]] const Vector3<S>& p, const Ball<S>& ball,
                                    [[maybe_unused]] const View& table, [[maybe_unused]] const S* parameters,
                                    const Operand&... of) {
+  static_assert(operand_count_of<T> == static_cast<int>(sizeof...(of)) && sizeof...(of) <= 2,
+                "greatest values in a ball are of at most two operands");
   if constexpr (sizeof...(of) == 0) {
     if constexpr (uses_table<T>) return operation.highest(p, ball, table);
     else return operation.highest(p, ball);

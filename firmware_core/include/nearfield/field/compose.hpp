@@ -140,7 +140,6 @@ template <class T, class View, class... Operand> struct NodeTraits<Combined<T, V
     if constexpr (!has_own_highest<T>) {
       return applied(node, p, slots, of);
     } else {
-      static_assert(count <= 2, "greatest values in a ball are of at most two operands");
       const auto with = [&](const auto&... operands) {
         return apply_highest(node.operation, p, ball, node.table, slots.parameters, operands...);
       };

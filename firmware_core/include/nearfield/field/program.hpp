@@ -177,6 +177,7 @@ template <class S, class Operations = AllOperations> class Program {
         return detail::apply<Out>(operation, m.point, view, m.parameters, of...);
       }
     };
+    static_assert(count != kAnyNumber || !detail::has_own_highest<T>, "greatest values in a ball are of at most two operands");
     if constexpr (count == kAnyNumber) operate_on_all<T>(m, operation, payload);
     else if constexpr (count == 0) m.push(result());
     else if constexpr (count == 1) m.top = result(m.top);
